@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/wrench.hpp>
+
+namespace rigid_body_sim {
+
+/// How the motion is to be computed.
+struct SolverOptions {
+  std::string integrator = "auto";  ///< a name of the catalogue
+  double time_step = 1e-3;          ///< [s] > 0
+  double tolerance = 1e-9;          ///< with auto: bound on the attitude error [rad] and on the
+                                    ///< position error relative to the path length, over horizon
+  double horizon = 10;              ///< [s]
+};
+
+/// Everything that a simulation holds constant: what the scene named and nothing else.
+struct World {
+  std::vector<Body> bodies;
+  Vector3d g_W = Vector3d::Zero();      ///< [m/s²] uniform gravity
+  std::vector<AppliedWrench> wrenches;  ///< scheduled by the scene; times from the start
+  SolverOptions solver;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/state.hpp>
+
+namespace rigid_body_sim {
+
+/// Force and torque on a body, about its centre of mass. The torque is the sum of two parts, each
+/// in the axes in which it arises: turning a body's own torque to the world and back would cost a
+/// needle the digits of its small component.
+///   total torque = tau_W + R(q_WP) tau_P
+struct Wrench {
+  Vector3d f_W = Vector3d::Zero();    ///< [N]
+  Vector3d tau_W = Vector3d::Zero();  ///< [N m] world axes
+  Vector3d tau_P = Vector3d::Zero();  ///< [N m] principal axes
+};
+
+/// Adds the force f_W [N] that acts at the world point r_W [m]:  f += f_W,  τ += (r − x) × f_W.
+/// Source: Rotenberg, "Rigid Body Motion", ApplyForce.
+void applyForce(Wrench& wrench, const BodyState& state, const Vector3d& f_W, const Vector3d& r_W);
+
+/// Stands for the world where the index of a body may stand.
+constexpr std::size_t kWorld = std::numeric_limits<std::size_t>::max();
+
+/// A constant force and couple applied at a point of a body for a stretch of simulation time.
+/// Axes and point may each be fixed in the world or in any body, and turn with it.
+struct AppliedWrench {
+  std::size_t body = 0;       ///< the body acted on
+  std::size_t axes = kWorld;  ///< of force and torque: world axes or a body's principal axes
+  Vector3d force = Vector3d::Zero();   ///< [N] at the point
+  Vector3d torque = Vector3d::Zero();  ///< [N m] a free couple
+  std::size_t point_frame = 0;         ///< of point: world frame or a body's principal frame
+  Vector3d point = Vector3d::Zero();   ///< [m]
+  double start = 0;                    ///< [s] acts for start <= t < end
+  double end = std::numeric_limits<double>::infinity();  ///< [s]
+};
+
+/// Adds an applied wrench at the given states of all bodies.
+void addAppliedWrench(const AppliedWrench& applied, const std::vector<BodyState>& bodies,
+                      Wrench& wrench);
+
+}  // namespace rigid_body_sim

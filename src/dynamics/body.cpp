@@ -1,0 +1,21 @@
+#include <utility>
+
+#include <rigid_body_sim/dynamics/body.hpp>
+
+namespace rigid_body_sim {
+
+Body makeBody(std::string name, const MassProperties& properties_B) {
+  const PrincipalAxes axes = principalAxes(properties_B.I_Bcm);
+  Body body;
+  body.name = std::move(name);
+  body.mass = properties_B.mass;
+  body.I = axes.I;
+  body.inv_I = axes.I.cwiseInverse();
+  body.X_BP.setIdentity();
+  body.X_BP.linear() = axes.R_BP;
+  body.X_BP.translation() = properties_B.com_B;
+  body.q_BP = Quaterniond(axes.R_BP).normalized();
+  return body;
+}
+
+}  // namespace rigid_body_sim
