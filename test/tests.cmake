@@ -11,3 +11,11 @@ rigid_body_gtest(test_mass
   SOURCES
     test/mass/test_principal_axes.cpp
   LIBRARIES rigid_body_sim_core)
+
+rigid_body_gtest(test_dynamics
+  SOURCES
+    test/dynamics/test_methods.cpp
+    test/dynamics/test_simulation.cpp
+    test/dynamics/test_wrench.cpp
+    test/dynamics/test_wrench_schedule.cpp
+  LIBRARIES rigid_body_sim_core)

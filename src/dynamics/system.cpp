@@ -2,8 +2,9 @@
 
 namespace rigid_body_sim {
 
-void wrenchesAt(const System& system, const std::vector<BodyState>& states,
-                std::vector<Wrench>& wrenches) {
+void evaluateWrenches(const System& system, const std::vector<BodyState>& states,
+                      Workspace& workspace) {
+  std::vector<Wrench>& wrenches = workspace.wrenches;
   wrenches.resize(states.size());
   for (std::size_t i = 0; i < states.size(); ++i) {
     wrenches[i] = system.held[i].at(states[i]);
@@ -11,6 +12,7 @@ void wrenchesAt(const System& system, const std::vector<BodyState>& states,
   }
   for (const AppliedWrench& applied : system.coupled)
     addAppliedWrench(applied, states, wrenches[applied.body]);
+  ++workspace.evaluations;
 }
 
 }  // namespace rigid_body_sim

@@ -3,18 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <rigid_body_sim/dynamics/state_dot.hpp>
 #include <rigid_body_sim/dynamics/system.hpp>
 
 namespace rigid_body_sim {
-
-/// Memory that a method reuses from step to step.
-struct Workspace {
-  std::vector<Wrench> wrenches;  ///< at the present states, if wrenches_current
-  bool wrenches_current = false;
-  std::vector<BodyState> stages;
-  std::vector<BodyStateDot> dots;
-};
 
 /// Advances the states by h, with wrenches that neither start nor end meanwhile.
 using StepFunction = void (*)(const System& system, double h, std::vector<BodyState>& states,

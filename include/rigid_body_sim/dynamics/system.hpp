@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/held_wrench.hpp>
+#include <rigid_body_sim/dynamics/state_dot.hpp>
 
 namespace rigid_body_sim {
 
@@ -16,8 +18,17 @@ struct System {
                                        ///< those of this system
 };
 
-/// The wrench on each body, gravity included.
-void wrenchesAt(const System& system, const std::vector<BodyState>& states,
-                std::vector<Wrench>& wrenches);
+/// Memory that a method reuses from step to step.
+struct Workspace {
+  std::vector<Wrench> wrenches;  ///< at the present states, if wrenches_current
+  bool wrenches_current = false;
+  std::int64_t evaluations = 0;  ///< of all wrenches, since the workspace was made
+  std::vector<BodyState> stages;
+  std::vector<BodyStateDot> dots;
+};
+
+/// Puts the wrench on each body, gravity included, into workspace.wrenches.
+void evaluateWrenches(const System& system, const std::vector<BodyState>& states,
+                      Workspace& workspace);
 
 }  // namespace rigid_body_sim

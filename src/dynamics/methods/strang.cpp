@@ -15,14 +15,14 @@ void kickAll(double h, const std::vector<Wrench>& wrenches, std::vector<BodyStat
 // the end of a step are those at the start of the next: one evaluation a step.
 void strangStep(const System& system, double h, std::vector<BodyState>& states,
                 Workspace& workspace) {
-  if (!workspace.wrenches_current) wrenchesAt(system, states, workspace.wrenches);
+  if (!workspace.wrenches_current) evaluateWrenches(system, states, workspace);
   kickAll(0.5 * h, workspace.wrenches, states);
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Body& body = *system.bodies[i];
     driftPosition(body.mass, h, states[i]);
     driftRotation(body.split, h, states[i]);
   }
-  wrenchesAt(system, states, workspace.wrenches);
+  evaluateWrenches(system, states, workspace);
   kickAll(0.5 * h, workspace.wrenches, states);
   workspace.wrenches_current = true;
 }
