@@ -11,3 +11,11 @@ rigid_body_gtest(test_mass
   SOURCES
     test/mass/test_principal_axes.cpp
   LIBRARIES rigid_body_sim_core)
+
+rigid_body_gtest(test_scene
+  SOURCES
+    test/scene/test_build_world.cpp
+    test/scene/test_shipped_scenes.cpp
+  LIBRARIES rigid_body_sim_scene)
+target_compile_definitions(test_scene PRIVATE
+  RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
