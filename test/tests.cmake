@@ -19,3 +19,11 @@ rigid_body_gtest(test_dynamics
     test/dynamics/test_wrench.cpp
     test/dynamics/test_wrench_schedule.cpp
   LIBRARIES rigid_body_sim_core)
+
+rigid_body_gtest(test_scene
+  SOURCES
+    test/scene/test_build_world.cpp
+    test/scene/test_shipped_scenes.cpp
+  LIBRARIES rigid_body_sim_scene)
+target_compile_definitions(test_scene PRIVATE
+  RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
