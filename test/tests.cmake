@@ -27,3 +27,22 @@ rigid_body_gtest(test_scene
   LIBRARIES rigid_body_sim_scene)
 target_compile_definitions(test_scene PRIVATE
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
+
+rigid_body_gtest(test_node
+  SOURCES
+    test/ros/test_conversions.cpp
+    test/ros/test_markers.cpp
+    test/ros/test_node_options.cpp
+    test/ros/test_pacing.cpp
+    test/ros/test_wrench_intake.cpp
+    test/ros/test_wrench_messages.cpp
+  LIBRARIES rigid_body_sim_ros)
+
+rigid_body_gtest(test_tools
+  SOURCES
+    test/tools/test_simulate_program.cpp
+  LIBRARIES rigid_body_sim_scene)
+target_compile_definitions(test_tools PRIVATE
+  RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:simulate>"
+  RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
+add_dependencies(test_tools simulate)
