@@ -46,3 +46,25 @@ target_compile_definitions(test_tools PRIVATE
   RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:simulate>"
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
 add_dependencies(test_tools simulate)
+
+# rostests: the node in a process of its own, driven through its topics and services.
+find_package(rostest REQUIRED)
+find_package(roslaunch REQUIRED)
+function(rigid_body_rostest name)
+  add_rostest_gtest(test_${name} test/ros/${name}.test test/ros/test_${name}.cpp ${ARGN})
+  target_link_libraries(test_${name} rigid_body_sim_ros rigid_body_compile_options gtest)
+  add_dependencies(test_${name} rigid_body_node)
+  target_compile_definitions(test_${name} PRIVATE
+    RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_node>"
+    RIGID_BODY_SIM_TEST_SCENE="${PROJECT_SOURCE_DIR}/test/ros/lopsided.yaml")
+endfunction()
+set(driver test/ros/node_driver.cpp test/ros/reference_run.cpp)
+rigid_body_rostest(clock ${driver})
+rigid_body_rostest(doors ${driver})
+rigid_body_rostest(process)
+rigid_body_rostest(services ${driver})
+
+file(GLOB launch_files RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/launch/*.launch)
+foreach(launch_file ${launch_files})
+  roslaunch_add_file_check(${launch_file} IGNORE_UNSET_ARGS)
+endforeach()

@@ -24,21 +24,22 @@ Scene readScene(const NodeOptions& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
+int main(int argc, char** argv) {
   ros::init(argc, argv, "rigid_body_node", ros::init_options::NoSigintHandler);
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
-  const ros::NodeHandle keeps_ros_started;
+  const ros::NodeHandle keeps_ros_started;  // and its log, beyond the node itself
   if (!ros::ok()) return kDone;
-
-  const NodeOptions options = loadNodeOptions();
-  SimulationNode node(options, readScene(options));
-  node.run();
-  return kDone;
-} catch (const SimulationDiverged& error) {
-  ROS_FATAL("%s", error.what());
-  return kDiverged;
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "rigid_body_node: %s\n", error.what());
-  return kBadInput;
+  try {
+    const NodeOptions options = loadNodeOptions();
+    SimulationNode node(options, readScene(options));
+    node.run();
+    return kDone;
+  } catch (const SimulationDiverged& error) {
+    ROS_FATAL("%s", error.what());
+    return kDiverged;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "rigid_body_node: %s\n", error.what());
+    return kBadInput;
+  }
 }
