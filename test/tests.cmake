@@ -1,10 +1,15 @@
-# gtest of the layers without ROS, one program a layer. catkin's gtest targets take the plain
-# signature of target_link_libraries.
+# All gtests that need no ROS master. Their names are listed in gtests.txt of the build directory.
+add_custom_target(rigid_body_gtests)
+file(WRITE ${CMAKE_BINARY_DIR}/gtests.txt "")
+
+# One program a layer. catkin's gtest targets take the plain signature of target_link_libraries.
 function(rigid_body_gtest name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   catkin_add_gtest(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE test)
   target_link_libraries(${name} ${ARG_LIBRARIES} rigid_body_compile_options gtest_main)
+  add_dependencies(rigid_body_gtests ${name})
+  file(APPEND ${CMAKE_BINARY_DIR}/gtests.txt "${name}\n")
 endfunction()
 
 rigid_body_gtest(test_mass
