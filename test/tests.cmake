@@ -27,3 +27,7 @@ rigid_body_gtest(test_scene
   LIBRARIES rigid_body_sim_scene)
 target_compile_definitions(test_scene PRIVATE
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
+rigid_body_gtest(test_taylor
+  SOURCES
+    test/dynamics/test_taylor_segment.cpp
+  LIBRARIES rigid_body_sim_core)
