@@ -23,7 +23,12 @@ rigid_body_gtest(test_dynamics
 rigid_body_gtest(test_scene
   SOURCES
     test/scene/test_build_world.cpp
+    test/scene/test_file_errors.cpp
+    test/scene/test_frames.cpp
+    test/scene/test_key_errors.cpp
+    test/scene/test_numbers.cpp
     test/scene/test_shipped_scenes.cpp
+    test/scene/test_value_errors.cpp
   LIBRARIES rigid_body_sim_scene)
 target_compile_definitions(test_scene PRIVATE
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
