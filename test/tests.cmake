@@ -7,9 +7,21 @@ function(rigid_body_gtest name)
   target_link_libraries(${name} ${ARG_LIBRARIES} rigid_body_compile_options gtest_main)
 endfunction()
 
+rigid_body_gtest(test_math
+  SOURCES
+    test/math/test_compensated_sum.cpp
+    test/math/test_hat.cpp
+  LIBRARIES rigid_body_sim_core)
+
 rigid_body_gtest(test_mass
   SOURCES
+    test/mass/test_checked_mesh.cpp
+    test/mass/test_combined.cpp
+    test/mass/test_mass_properties_fault.cpp
+    test/mass/test_particles.cpp
     test/mass/test_principal_axes.cpp
+    test/mass/test_shapes.cpp
+    test/mass/test_triangle_mesh.cpp
   LIBRARIES rigid_body_sim_core)
 
 rigid_body_gtest(test_dynamics
