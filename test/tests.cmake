@@ -11,3 +11,8 @@ rigid_body_gtest(test_mass
   SOURCES
     test/mass/test_principal_axes.cpp
   LIBRARIES rigid_body_sim_core)
+
+rigid_body_gtest(test_rotor
+  SOURCES
+    test/dynamics/test_rotor.cpp
+  LIBRARIES rigid_body_sim_core)
