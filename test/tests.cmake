@@ -23,3 +23,28 @@ rigid_body_gtest(test_mass
     test/mass/test_shapes.cpp
     test/mass/test_triangle_mesh.cpp
   LIBRARIES rigid_body_sim_core)
+
+rigid_body_gtest(test_dynamics
+  SOURCES
+    test/dynamics/test_methods.cpp
+    test/dynamics/test_simulation.cpp
+    test/dynamics/test_wrench.cpp
+    test/dynamics/test_wrench_schedule.cpp
+  LIBRARIES rigid_body_sim_core)
+
+rigid_body_gtest(test_scene
+  SOURCES
+    test/scene/test_build_world.cpp
+    test/scene/test_file_errors.cpp
+    test/scene/test_frames.cpp
+    test/scene/test_key_errors.cpp
+    test/scene/test_numbers.cpp
+    test/scene/test_shipped_scenes.cpp
+    test/scene/test_value_errors.cpp
+  LIBRARIES rigid_body_sim_scene)
+target_compile_definitions(test_scene PRIVATE
+  RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
+rigid_body_gtest(test_taylor
+  SOURCES
+    test/dynamics/test_taylor_segment.cpp
+  LIBRARIES rigid_body_sim_core)

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <rigid_body_sim/dynamics/world.hpp>
+#include <rigid_body_sim/scene/scene.hpp>
+#include <rigid_body_sim/scene/scene_error.hpp>
+
+namespace rigid_body_sim {
+
+/// What stays constant of a scene. Throws SceneError for one that cannot be simulated
+/// (checkScene), and for a wrench that names an unknown body or frame or acts on a fixed body.
+World buildWorld(const Scene& scene);
+
+/// The state at time zero; world: that of the scene.
+State initialState(const Scene& scene, const World& world);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include <rigid_body_sim/scene/frames.hpp>
+
+namespace rigid_body_sim {
+
+struct ResolvedWrench {
+  AppliedWrench wrench;  ///< of account only without fault
+  std::string fault;     ///< one line saying which rule is broken and what was found; empty if none
+};
+
+/// A wrench given by names, in the frames in which the core holds it:
+///   force_P = R_PF force_F,  torque_P = R_PF torque_F,  point_P = X_PG point_G,
+/// with F the frame, G the point frame, and P the principal frame of the body to which each is
+/// fixed, or the world. Faults: unknown or fixed body, unknown frame, numbers that are not finite,
+/// a duration that is not > 0 (infinite is allowed) or too short to move the clock from start.
+ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& bodies,
+                             const FrameTable& frames);
+
+/// The wrench on a body that one frame F fixed to it says all about: force and torque [N, N m] in
+/// the axes of F, at the origin of F. X_PF: F in the body's principal frame.
+AppliedWrench wrenchAtFrame(std::size_t body, const Isometry3d& X_PF, const Vector3d& force_F,
+                            const Vector3d& torque_F);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rigid_body_sim/mass/shapes.hpp>
+
+namespace rigid_body_sim {
+
+/// What a scene file says, in the body frames that its user knows. `line` is where an entry stands
+/// in the file, 0 in a scene made by a program.
+
+/// Velocity of the origin of a body frame, and of its axes.
+struct TwistDef {
+  bool in_body_axes = false;            ///< both vectors; else in world axes
+  Vector3d linear = Vector3d::Zero();   ///< [m/s]
+  Vector3d angular = Vector3d::Zero();  ///< [rad/s]
+};
+
+/// A frame F fixed to a body, named `<body>/<point>`.
+struct PointDef {
+  std::string name;
+  Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the body frame
+  Quaterniond orientation = Quaterniond::Identity();  ///< q_BF, unit
+  int line = 0;
+};
+
+/// How a body is drawn; it has no part in the motion.
+struct VisualDef {
+  std::string mesh;                            ///< file or URL; empty: the body's shape
+  std::optional<std::array<double, 4>> color;  ///< red, green, blue, opacity, each 0 … 1
+  int line = 0;
+};
+
+struct BodyDef {
+  std::string name;
+
+  // What it is made of: a shape with mass or density; or mass, inertia and centre of mass.
+  std::optional<Shape> shape;
+  std::optional<double> mass;                  ///< [kg] > 0
+  std::optional<double> density;               ///< [kg/m³] > 0
+  std::optional<Matrix3d> inertia;             ///< [kg m²] about the centre of mass, in body axes
+  Vector3d center_of_mass = Vector3d::Zero();  ///< [m] in the body frame
+
+  Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the world
+  Quaterniond orientation = Quaterniond::Identity();  ///< q_WB, unit
+  TwistDef twist;
+  std::vector<PointDef> points;
+  bool fixed = false;  ///< it never moves
+  VisualDef visual;
+
+  int line = 0;
+  int matter_line = 0;  ///< of the key that says what it is made of
+};
+
+/// A wrench by the names of its frames.
+struct WrenchDef {
+  std::string body;                    ///< the body acted on
+  std::string frame;                   ///< axes of force and torque
+  std::string point_frame;             ///< frame of point; empty: the body
+  Vector3d point = Vector3d::Zero();   ///< [m] where the force acts
+  Vector3d force = Vector3d::Zero();   ///< [N] at point
+  Vector3d torque = Vector3d::Zero();  ///< [N m] a free couple
+  double start = 0;                    ///< [s] since the start of the simulation
+  double duration = 0;                 ///< [s] > 0; infinite: for ever
+  int line = 0;
+};
+
+struct Scene {
+  std::string source = "scene";  ///< file name, for messages
+  std::string world_frame = "world";
+  std::optional<Vector3d> gravity;  ///< [m/s²] none: no gravity
+  double time_step = 0;             ///< [s] > 0
+  std::string integrator = "auto";  ///< a name of the catalogue
+  double tolerance = 1e-9;          ///< with auto; see SolverOptions
+  double horizon = 10;              ///< [s] also how long `simulate` runs
+  int integrator_line = 0;
+  std::vector<BodyDef> bodies;
+  std::vector<WrenchDef> wrenches;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,59 @@
+#include <cassert>
+
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/check_scene.hpp>
+#include <rigid_body_sim/scene/resolve_wrench.hpp>
+
+namespace rigid_body_sim {
+namespace {
+
+Body bodyOf(const BodyDef& def) {
+  Body body = makeBody(def.name, massProperties(def));
+  body.fixed = def.fixed;
+  return body;
+}
+
+std::vector<AppliedWrench> wrenchesOf(const Scene& scene, const std::vector<Body>& bodies) {
+  const FrameTable frames(scene, bodies);
+  std::vector<AppliedWrench> wrenches;
+  for (std::size_t i = 0; i < scene.wrenches.size(); ++i) {
+    const ResolvedWrench resolved = resolveWrench(scene.wrenches[i], bodies, frames);
+    if (!resolved.fault.empty())
+      throw SceneError(scene.source, scene.wrenches[i].line,
+                       "wrenches[" + std::to_string(i) + "]: " + resolved.fault);
+    wrenches.push_back(resolved.wrench);
+  }
+  return wrenches;
+}
+
+BodyFrameMotion motionOf(const BodyDef& def) {
+  BodyFrameMotion motion;
+  motion.x_W = def.position;
+  motion.q_WB = def.orientation;
+  const bool turned = def.twist.in_body_axes;
+  motion.v_W = turned ? rotate(def.orientation, def.twist.linear) : def.twist.linear;
+  motion.w_W = turned ? rotate(def.orientation, def.twist.angular) : def.twist.angular;
+  return motion;
+}
+
+}  // namespace
+
+World buildWorld(const Scene& scene) {
+  checkScene(scene);
+  World world;
+  for (const BodyDef& def : scene.bodies) world.bodies.push_back(bodyOf(def));
+  if (scene.gravity) world.g_W = *scene.gravity;
+  world.wrenches = wrenchesOf(scene, world.bodies);
+  world.solver = {scene.integrator, scene.time_step, scene.tolerance, scene.horizon};
+  return world;
+}
+
+State initialState(const Scene& scene, const World& world) {
+  assert(scene.bodies.size() == world.bodies.size());
+  State state;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    state.bodies.push_back(toBodyState(world.bodies[i], motionOf(scene.bodies[i])));
+  return state;
+}
+
+}  // namespace rigid_body_sim

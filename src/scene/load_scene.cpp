@@ -1,0 +1,97 @@
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include <rigid_body_sim/scene/check_scene.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "readers.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// A tf frame name: names joined by slashes, none at the front.
+std::string readWorldFrame(const Entry& value) {
+  const YamlNode& node = value.node();
+  std::size_t first = 0;
+  for (std::size_t end = 0; end != std::string::npos; first = end + 1) {
+    end = node.text.find('/', first);
+    if (!isName(node.text.substr(first, end == std::string::npos ? end : end - first)))
+      value.failRule("must be a frame name [A-Za-z][A-Za-z0-9_]*, parts joined by /");
+  }
+  return node.text;
+}
+
+std::vector<BodyDef> readBodies(const Entry& value) {
+  const std::string rule = "must be a list of at least one body";
+  std::vector<BodyDef> bodies;
+  for (const Entry& item : value.items(rule)) bodies.push_back(readBody(item));
+  if (bodies.empty()) value.failRule(rule);
+  return bodies;
+}
+
+std::vector<WrenchDef> readWrenches(const Entry& value) {
+  std::vector<WrenchDef> wrenches;
+  for (const Entry& item : value.items("must be a list of wrenches"))
+    wrenches.push_back(readWrench(item));
+  return wrenches;
+}
+
+void readIntegrator(const Entry& value, Scene& scene) {
+  scene.integrator = readName(value);
+  scene.integrator_line = value.node().line;
+}
+
+void refuseIdleTolerance(const Entry& root, const Scene& scene) {
+  const YamlNode* tolerance = root.node().find("tolerance");
+  if (tolerance && scene.integrator != "auto")
+    root.child(*tolerance)
+        .fail("tolerance goes with integrator auto only, got integrator " + scene.integrator);
+}
+
+std::string readFile(const std::string& path) {
+  constexpr std::size_t kMaxBytes = 16 << 20;
+  if (std::filesystem::is_directory(path))
+    throw SceneError(path, 0, "is a directory, not a scene file");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw SceneError(path, 0, std::string("cannot be opened: ") + std::strerror(errno));
+  std::string text;
+  std::array<char, 1 << 16> block;
+  while (text.size() <= kMaxBytes && file) {
+    file.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (file.bad()) throw SceneError(path, 0, std::string("cannot be read: ") + std::strerror(errno));
+  if (text.size() > kMaxBytes) throw SceneError(path, 0, "is larger than 16 MiB");
+  return text;
+}
+
+}  // namespace
+
+Scene parseScene(const std::string& yaml_text, const std::string& source_name) {
+  const std::vector<Key<Scene>> keys = {
+      {"world_frame", [](const Entry& e, Scene& s) { s.world_frame = readWorldFrame(e); }},
+      {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
+      {"time_step", [](const Entry& e, Scene& s) { s.time_step = readPositive(e, "s"); }, true},
+      {"integrator", readIntegrator},
+      {"tolerance", [](const Entry& e, Scene& s) { s.tolerance = readPositive(e, ""); }},
+      {"horizon", [](const Entry& e, Scene& s) { s.horizon = readPositive(e, "s"); }},
+      {"bodies", [](const Entry& e, Scene& s) { s.bodies = readBodies(e); }, true},
+      {"wrenches", [](const Entry& e, Scene& s) { s.wrenches = readWrenches(e); }},
+  };
+  const YamlNode document = parseYaml(yaml_text, source_name);
+  const Entry root(source_name, document);
+  Scene scene;
+  scene.source = source_name;
+  readMapping(root, keys, scene);
+  refuseIdleTolerance(root, scene);
+  checkScene(scene);
+  return scene;
+}
+
+Scene loadScene(const std::string& path) { return parseScene(readFile(path), path); }
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,133 @@
+#include "readers.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+Matrix3d readInertia(const Entry& entry) {
+  // an entry and its mirror image across the diagonal
+  const std::vector<Key<Matrix3d>> keys = {
+      {"ixx", [](const Entry& e, Matrix3d& I) { I(0, 0) = readNumber(e, "kg m^2"); }, true},
+      {"iyy", [](const Entry& e, Matrix3d& I) { I(1, 1) = readNumber(e, "kg m^2"); }, true},
+      {"izz", [](const Entry& e, Matrix3d& I) { I(2, 2) = readNumber(e, "kg m^2"); }, true},
+      {"ixy", [](const Entry& e, Matrix3d& I) { I(0, 1) = I(1, 0) = readNumber(e, "kg m^2"); }},
+      {"ixz", [](const Entry& e, Matrix3d& I) { I(0, 2) = I(2, 0) = readNumber(e, "kg m^2"); }},
+      {"iyz", [](const Entry& e, Matrix3d& I) { I(1, 2) = I(2, 1) = readNumber(e, "kg m^2"); }},
+  };
+  Matrix3d inertia = Matrix3d::Zero();
+  readMapping(entry, keys, inertia);
+  return inertia;
+}
+
+/// Whether a twist is given in body axes.
+bool readTwistFrame(const Entry& value) {
+  if (value.node().text == "world") return false;
+  if (value.node().text == "body") return true;
+  value.failRule("must be world or body");
+}
+
+TwistDef readTwist(const Entry& entry) {
+  const std::vector<Key<TwistDef>> keys = {
+      {"frame", [](const Entry& e, TwistDef& t) { t.in_body_axes = readTwistFrame(e); }, true},
+      {"linear", [](const Entry& e, TwistDef& t) { t.linear = readVector3(e, "m/s"); }},
+      {"angular", [](const Entry& e, TwistDef& t) { t.angular = readVector3(e, "rad/s"); }},
+  };
+  TwistDef twist;
+  readMapping(entry, keys, twist);
+  return twist;
+}
+
+PointDef readPoint(const Entry& entry) {
+  const std::vector<Key<PointDef>> keys = {
+      {"position", [](const Entry& e, PointDef& p) { p.position = readVector3(e, "m"); }},
+      {"orientation", [](const Entry& e, PointDef& p) { p.orientation = readQuaternion(e); }},
+  };
+  PointDef point;
+  point.name = entry.node().key;
+  point.line = entry.node().line;
+  if (!isName(point.name))
+    entry.fail("points: '" + printable(point.name) + "' must be a name [A-Za-z][A-Za-z0-9_]*");
+  readMapping(entry, keys, point);
+  return point;
+}
+
+std::vector<PointDef> readPoints(const Entry& entry) {
+  if (entry.node().kind != YamlNode::Kind::kMapping)
+    entry.failRule("must be a mapping of names to frames");
+  std::vector<PointDef> points;
+  for (const YamlNode& node : entry.node().children) points.push_back(readPoint(entry.child(node)));
+  return points;
+}
+
+std::array<double, 4> readColor(const Entry& value) {
+  const std::vector<double> rgba = readNumbers(value, 4, "");
+  for (const double c : rgba) {
+    if (!(c >= 0 && c <= 1)) value.failRule("must be [r, g, b, a], each 0 to 1");
+  }
+  return {rgba[0], rgba[1], rgba[2], rgba[3]};
+}
+
+VisualDef readVisual(const Entry& entry) {
+  const std::vector<Key<VisualDef>> keys = {
+      {"mesh", [](const Entry& e, VisualDef& v) { v.mesh = readText(e); }},
+      {"color", [](const Entry& e, VisualDef& v) { v.color = readColor(e); }},
+  };
+  VisualDef visual;
+  visual.line = entry.node().line;
+  readMapping(entry, keys, visual);
+  return visual;
+}
+
+/// What a body is made of must be said once: which keys go together.
+void checkMatter(const Entry& entry, const BodyDef& body) {
+  const auto refuse = [&](const char* key, const char* reason) {
+    if (const YamlNode* node = entry.node().find(key))
+      entry.child(*node).fail(std::string(key) + " " + reason);
+  };
+  if (!body.shape && !body.inertia)
+    entry.fail(
+        "missing what the body is made of: shape, with mass or density; or mass and inertia");
+  if (body.shape) {
+    refuse("inertia", "cannot stand beside shape, which gives it");
+    refuse("center_of_mass", "cannot stand beside shape, which gives it");
+    if (body.mass) refuse("density", "cannot stand beside mass");
+    if (!body.mass && !body.density) entry.fail("missing key 'mass' or 'density' of the shape");
+  } else {
+    refuse("density", "needs a shape");
+    if (!body.mass) entry.fail("missing key 'mass'");
+  }
+}
+
+/// The body by its name as far as it can be told, else by its place in the list.
+std::string placeOf(const Entry& entry) {
+  const YamlNode* name = entry.node().find("name");
+  return name && isName(name->text) ? "body '" + name->text + "'" : entry.key();
+}
+
+}  // namespace
+
+BodyDef readBody(const Entry& list_item) {
+  const std::vector<Key<BodyDef>> keys = {
+      {"name", [](const Entry& e, BodyDef& b) { b.name = readName(e); }, true},
+      {"shape", [](const Entry& e, BodyDef& b) { b.shape = readShape(e); }},
+      {"mass", [](const Entry& e, BodyDef& b) { b.mass = readPositive(e, "kg"); }},
+      {"density", [](const Entry& e, BodyDef& b) { b.density = readPositive(e, "kg/m^3"); }},
+      {"inertia", [](const Entry& e, BodyDef& b) { b.inertia = readInertia(e); }},
+      {"center_of_mass",
+       [](const Entry& e, BodyDef& b) { b.center_of_mass = readVector3(e, "m"); }},
+      {"position", [](const Entry& e, BodyDef& b) { b.position = readVector3(e, "m"); }},
+      {"orientation", [](const Entry& e, BodyDef& b) { b.orientation = readQuaternion(e); }},
+      {"twist", [](const Entry& e, BodyDef& b) { b.twist = readTwist(e); }},
+      {"points", [](const Entry& e, BodyDef& b) { b.points = readPoints(e); }},
+      {"fixed", [](const Entry& e, BodyDef& b) { b.fixed = readBoolean(e); }},
+      {"visual", [](const Entry& e, BodyDef& b) { b.visual = readVisual(e); }},
+  };
+  const Entry entry = list_item.as(placeOf(list_item));
+  BodyDef body;
+  readMapping(entry, keys, body);
+  checkMatter(entry, body);
+  body.line = entry.node().line;
+  body.matter_line = entry.node().find(body.shape ? "shape" : "inertia")->line;
+  return body;
+}
+
+}  // namespace rigid_body_sim

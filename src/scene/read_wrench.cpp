@@ -1,0 +1,32 @@
+#include "readers.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+double readStart(const Entry& value) {
+  const double start = readNumber(value, "s");
+  if (start < 0) value.failRule("must be >= 0 s");
+  return start;
+}
+
+}  // namespace
+
+WrenchDef readWrench(const Entry& list_item) {
+  const std::vector<Key<WrenchDef>> keys = {
+      {"body", [](const Entry& e, WrenchDef& w) { w.body = readText(e); }, true},
+      {"point", [](const Entry& e, WrenchDef& w) { w.point = readVector3(e, "m"); }},
+      {"point_frame", [](const Entry& e, WrenchDef& w) { w.point_frame = readText(e); }},
+      {"frame", [](const Entry& e, WrenchDef& w) { w.frame = readText(e); }, true},
+      {"force", [](const Entry& e, WrenchDef& w) { w.force = readVector3(e, "N"); }},
+      {"torque", [](const Entry& e, WrenchDef& w) { w.torque = readVector3(e, "N m"); }},
+      {"start", [](const Entry& e, WrenchDef& w) { w.start = readStart(e); }},
+      {"duration", [](const Entry& e, WrenchDef& w) { w.duration = readDuration(e); }, true},
+  };
+  const Entry entry = list_item.as(list_item.key());
+  WrenchDef wrench;
+  readMapping(entry, keys, wrench);
+  wrench.line = entry.node().line;
+  return wrench;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <rigid_body_sim/scene/resolve_wrench.hpp>
+
+#include "name_list.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+std::string vectorFault(const char* name, const Vector3d& v) {
+  if (v.allFinite()) return "";
+  std::ostringstream fault;
+  fault << name << " must be finite, got [" << v.x() << ", " << v.y() << ", " << v.z() << "]";
+  return fault.str();
+}
+
+std::string timeFault(const WrenchDef& wrench) {
+  std::ostringstream fault;
+  if (!std::isfinite(wrench.start))
+    fault << "start must be a finite number of s, got " << wrench.start;
+  else if (!(wrench.duration > 0))
+    fault << "duration must be > 0 s, got " << wrench.duration;
+  else if (!(wrench.start + wrench.duration > wrench.start))
+    fault << "duration must be long enough to count beside start " << wrench.start << " s, got "
+          << wrench.duration;
+  return fault.str();
+}
+
+std::string bodyFault(const std::string& name, const std::vector<Body>& bodies) {
+  const auto body =
+      std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
+  if (body == bodies.end()) {
+    std::vector<std::string> names;
+    for (const Body& known : bodies) names.push_back(known.name);
+    return "unknown body '" + name + "' (known: " + nameList(names) + ")";
+  }
+  return body->fixed ? "body '" + name + "' is fixed, no wrench can move it" : "";
+}
+
+std::string frameFault(const char* key, const std::string& name, const FrameTable& frames) {
+  if (frames.find(name)) return "";
+  return std::string("unknown ") + key + " '" + name + "' (known: " + frames.names() + ")";
+}
+
+/// The first that is not empty.
+std::string firstOf(std::initializer_list<std::string> faults) {
+  for (const std::string& fault : faults) {
+    if (!fault.empty()) return fault;
+  }
+  return "";
+}
+
+}  // namespace
+
+ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& bodies,
+                             const FrameTable& frames) {
+  const std::string& point_frame = wrench.point_frame.empty() ? wrench.body : wrench.point_frame;
+  ResolvedWrench resolved;
+  resolved.fault =
+      firstOf({bodyFault(wrench.body, bodies), frameFault("frame", wrench.frame, frames),
+               frameFault("point_frame", point_frame, frames), vectorFault("point", wrench.point),
+               vectorFault("force", wrench.force), vectorFault("torque", wrench.torque),
+               timeFault(wrench)});
+  if (!resolved.fault.empty()) return resolved;
+
+  const FixedFrame& axes = *frames.find(wrench.frame);
+  const FixedFrame& place = *frames.find(point_frame);
+  AppliedWrench& applied = resolved.wrench;
+  applied.body = frames.find(wrench.body)->body;
+  applied.axes = axes.body;
+  applied.force = axes.X_PF.linear() * wrench.force;
+  applied.torque = axes.X_PF.linear() * wrench.torque;
+  applied.point_frame = place.body;
+  applied.point = place.X_PF * wrench.point;
+  applied.start = wrench.start;
+  applied.end = wrench.start + wrench.duration;
+  return resolved;
+}
+
+AppliedWrench wrenchAtFrame(std::size_t body, const Isometry3d& X_PF, const Vector3d& force_F,
+                            const Vector3d& torque_F) {
+  AppliedWrench applied;
+  applied.body = applied.axes = applied.point_frame = body;
+  applied.force = X_PF.linear() * force_F;
+  applied.torque = X_PF.linear() * torque_F;
+  applied.point = X_PF.translation();
+  return applied;
+}
+
+}  // namespace rigid_body_sim
