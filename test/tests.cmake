@@ -39,6 +39,7 @@ rigid_body_gtest(test_scene
     test/scene/test_frames.cpp
     test/scene/test_key_errors.cpp
     test/scene/test_numbers.cpp
+    test/scene/test_read_mesh.cpp
     test/scene/test_shipped_scenes.cpp
     test/scene/test_value_errors.cpp
   LIBRARIES rigid_body_sim_scene)
