@@ -14,6 +14,7 @@ rigid_body_gtest(test_mass
 
 rigid_body_gtest(test_scene
   SOURCES
+    test/scene/test_any_text.cpp
     test/scene/test_build_world.cpp
     test/scene/test_file_errors.cpp
     test/scene/test_frames.cpp

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include <rigid_body_sim/scene/check_scene.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
@@ -53,7 +54,8 @@ void refuseIdleTolerance(const Entry& root, const Scene& scene) {
 
 std::string readFile(const std::string& path) {
   constexpr std::size_t kMaxBytes = 16 << 20;
-  if (std::filesystem::is_directory(path))
+  std::error_code no_matter;  // what cannot be looked at cannot be opened either
+  if (std::filesystem::is_directory(path, no_matter))
     throw SceneError(path, 0, "is a directory, not a scene file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
