@@ -7,9 +7,29 @@ function(rigid_body_gtest name)
   target_link_libraries(${name} ${ARG_LIBRARIES} rigid_body_compile_options gtest_main)
 endfunction()
 
+rigid_body_gtest(test_math
+  SOURCES
+    test/math/test_compensated_sum.cpp
+    test/math/test_hat.cpp
+  LIBRARIES rigid_body_sim_core)
+
 rigid_body_gtest(test_mass
   SOURCES
+    test/mass/test_checked_mesh.cpp
+    test/mass/test_combined.cpp
+    test/mass/test_mass_properties_fault.cpp
+    test/mass/test_particles.cpp
     test/mass/test_principal_axes.cpp
+    test/mass/test_shapes.cpp
+    test/mass/test_triangle_mesh.cpp
+  LIBRARIES rigid_body_sim_core)
+
+rigid_body_gtest(test_dynamics
+  SOURCES
+    test/dynamics/test_methods.cpp
+    test/dynamics/test_simulation.cpp
+    test/dynamics/test_wrench.cpp
+    test/dynamics/test_wrench_schedule.cpp
   LIBRARIES rigid_body_sim_core)
 
 rigid_body_gtest(test_scene
@@ -25,3 +45,7 @@ rigid_body_gtest(test_scene
   LIBRARIES rigid_body_sim_scene)
 target_compile_definitions(test_scene PRIVATE
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
+rigid_body_gtest(test_taylor
+  SOURCES
+    test/dynamics/test_taylor_segment.cpp
+  LIBRARIES rigid_body_sim_core)

@@ -15,6 +15,7 @@ Body makeBody(std::string name, const MassProperties& properties_B) {
   body.X_BP.linear() = axes.R_BP;
   body.X_BP.translation() = properties_B.com_B;
   body.q_BP = Quaterniond(axes.R_BP).normalized();
+  body.split = rotationSplit(body.inv_I);
   return body;
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <rigid_body_sim/dynamics/rotation_split.hpp>
 #include <rigid_body_sim/mass/mass_properties.hpp>
 #include <rigid_body_sim/mass/principal_axes.hpp>
 
@@ -11,12 +12,13 @@ namespace rigid_body_sim {
 /// axes the principal axes.
 struct Body {
   std::string name;
-  double mass = 0;     ///< [kg] > 0
-  Vector3d I;          ///< [kg m²] principal moments, ascending
-  Vector3d inv_I;      ///< [1/(kg m²)]
-  Isometry3d X_BP;     ///< P in the body frame B that the user knows
-  Quaterniond q_BP;    ///< the rotation of X_BP
-  bool fixed = false;  ///< never moves; its mass is then of no account
+  double mass = 0;                ///< [kg] > 0
+  Vector3d I;                     ///< [kg m²] principal moments, ascending
+  Vector3d inv_I;                 ///< [1/(kg m²)]
+  Isometry3d X_BP;                ///< P in the body frame B that the user knows
+  Quaterniond q_BP;               ///< the rotation of X_BP
+  RotationSplit<double> split{};  ///< of its free rotation
+  bool fixed = false;             ///< never moves; its mass is then of no account
 };
 
 /// The body of the given mass properties, which must be free of faults (massPropertiesFault).

@@ -1,31 +1,35 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/catalogue.hpp>
 #include <rigid_body_sim/dynamics/world.hpp>
+#include <rigid_body_sim/dynamics/wrench_schedule.hpp>
 
 namespace rigid_body_sim {
 
 /// A run that left the finite numbers or the range of its method.
 class SimulationDiverged : public std::runtime_error {
  public:
-  SimulationDiverged(double time, std::string body, std::string quantity);
+  SimulationDiverged(double time, const std::string& body, const std::string& quantity);
   double time;           ///< [s] of the last good state
   std::string body;      ///< name
-  std::string quantity;  ///< what failed, such as "angular momentum is not finite"
+  std::string quantity;  ///< what failed, such as "angular momentum is no longer finite"
 };
 
 /// Advances a world by its fixed time step. Time is step count × step, never accumulated.
-/// Wrenches start and end at their exact instants, whatever the step.
+/// Wrenches start and end at their exact instants, whatever the step. Bodies that do not act on one
+/// another are advanced apart. A copy goes on by itself.
 class Simulation {
  public:
-  /// Throws std::invalid_argument for an integrator that is unknown or cannot take the world.
+  /// Throws std::invalid_argument for an integrator that is unknown.
   Simulation(World world, State initial);
 
-  const World& world() const { return world_; }
+  const World& world() const { return *world_; }
   const State& state() const { return state_; }
   double time() const { return state_.t; }
   std::int64_t steps() const { return steps_; }
@@ -33,23 +37,26 @@ class Simulation {
   /// One time step. Throws SimulationDiverged and keeps the last finite state.
   void step();
 
-  /// The state at a time between now and the next step; the run itself goes on as if never asked.
+  /// The state at a time between now and the next step; the run goes on as if never asked.
   State sample(double t) const;
 
-  /// Applies a wrench. It replaces that of the same body and slot from its own start on; an empty
-  /// slot always adds. A start in the past means now.
+  /// Applies a wrench; see WrenchSchedule::put for slots.
   void applyWrench(const std::string& slot, const AppliedWrench& wrench);
 
-  /// Ends, now, the wrenches of a body, or of the one slot of it.
+  /// Ends, now, every wrench, those of a body, or those of one slot of it.
+  void clearWrenches();
   void clearWrenches(std::size_t body);
   void clearWrenches(std::size_t body, const std::string& slot);
-  void clearWrenches();
 
   /// Number of wrenches that act now or are to come.
   std::size_t wrenchCount() const;
 
   /// Sum of the wrenches applied to a body now, without gravity.
   Wrench appliedWrench(std::size_t body) const;
+
+  /// The most parts that a step was taken in so far, because a body turned faster than the method
+  /// follows in one; 1 when none was.
+  int mostParts() const { return most_parts_; }
 
   void setState(std::size_t body, const BodyState& state);
 
@@ -58,10 +65,30 @@ class Simulation {
   void reset(bool restart_time);
 
  private:
-  World world_;
-  State initial_;
+  /// Bodies that act on one another, advanced together.
+  struct Group {
+    std::vector<std::size_t> members;  // indices in the world, ascending
+    System system;
+    Workspace workspace;
+  };
+
+  void formGroups();
+  void gatherWrenches(Group& group);
+  void takeEvents(Group& group, double t);
+  void advance(Group& group, double t_end, State& state);
+  void stepInParts(Group& group, double h);
+
+  std::shared_ptr<const World> world_;
+  std::shared_ptr<const State> initial_;
+  const Method* method_;
   State state_;
+  State next_;
   std::int64_t steps_ = 0;
+  std::vector<WrenchSchedule> schedules_;  // one per body
+  std::vector<Group> groups_;
+  std::vector<std::size_t> group_of_;  // body -> index in groups_; of no account for a fixed body
+  std::vector<BodyState> scratch_;
+  int most_parts_ = 1;
 };
 
 }  // namespace rigid_body_sim

@@ -39,6 +39,9 @@ struct AppliedWrench {
   double end = std::numeric_limits<double>::infinity();  ///< [s]
 };
 
+/// Whether axes or point turn with a body other than the one acted on.
+bool isCoupled(const AppliedWrench& applied);
+
 /// Adds an applied wrench at the given states of all bodies.
 void addAppliedWrench(const AppliedWrench& applied, const std::vector<BodyState>& bodies,
                       Wrench& wrench);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/held_wrench.hpp>
+#include <rigid_body_sim/dynamics/state_dot.hpp>
+
+namespace rigid_body_sim {
+
+/// Bodies that act on one another, with all that acts on them between two events. What is absent
+/// from the scene is absent here.
+struct System {
+  std::vector<const Body*> bodies;
+  Vector3d g_W = Vector3d::Zero();     ///< [m/s²]
+  std::vector<HeldWrench> held;        ///< one per body
+  std::vector<AppliedWrench> coupled;  ///< whose axes or point turn with another body; indices are
+                                       ///< those of this system
+};
+
+/// Memory that a method reuses from step to step.
+struct Workspace {
+  std::vector<Wrench> wrenches;  ///< at the present states, if wrenches_current
+  bool wrenches_current = false;
+  std::int64_t evaluations = 0;  ///< of all wrenches, since the workspace was made
+  std::vector<BodyState> stages;
+  std::vector<BodyStateDot> dots;
+};
+
+/// Puts the wrench on each body, gravity included, into workspace.wrenches.
+void evaluateWrenches(const System& system, const std::vector<BodyState>& states,
+                      Workspace& workspace);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/wrench.hpp>
+
+namespace rigid_body_sim {
+
+/// The wrenches applied to one body: those that act, and those to come in order of their start.
+class WrenchSchedule {
+ public:
+  /// Adds a wrench. In a named slot it takes over from the slot's former one at its own start;
+  /// what the slot held for later is dropped. An empty slot always adds. A start before `now` means
+  /// now, at the same duration; a wrench without duration is dropped.
+  void put(const std::string& slot, AppliedWrench wrench, double now);
+
+  void clear();
+  void clear(const std::string& slot);
+
+  /// Wrenches that start at or before t join, those that end at or before t leave. Returns whether
+  /// that changed what acts.
+  bool advanceTo(double t);
+
+  /// [s] the next instant at which advanceTo changes something; infinity when none is to come.
+  double nextEvent() const { return next_event_; }
+
+  const std::vector<AppliedWrench>& active() const { return active_; }
+  std::size_t size() const { return active_.size() + pending_.size(); }
+
+  /// The bodies, acted on or turned with, of all wrenches that act or are to come.
+  std::vector<std::size_t> bodies() const;
+
+ private:
+  struct Pending {
+    std::string slot;
+    AppliedWrench wrench;
+  };
+  void findNextEvent();
+
+  std::vector<AppliedWrench> active_;
+  std::vector<std::string> active_slots_;   // of active_, index by index
+  std::multimap<double, Pending> pending_;  // by start
+  double next_event_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace rigid_body_sim

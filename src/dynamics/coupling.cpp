@@ -1,0 +1,44 @@
+#include <limits>
+#include <numeric>
+
+#include <rigid_body_sim/dynamics/coupling.hpp>
+
+namespace rigid_body_sim {
+namespace {
+
+/// Representative of a body in a forest of parents (union–find with path halving).
+std::size_t root(std::vector<std::size_t>& parent, std::size_t body) {
+  while (parent[body] != body) body = parent[body] = parent[parent[body]];
+  return body;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> coupledGroups(
+    const std::vector<Body>& bodies, const std::vector<std::vector<std::size_t>>& bonds) {
+  std::vector<std::size_t> parent(bodies.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  for (const std::vector<std::size_t>& bond : bonds) {
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::size_t first = kNone;
+    for (std::size_t body : bond) {
+      if (bodies[body].fixed) continue;
+      if (first == kNone) first = body;
+      parent[root(parent, body)] = root(parent, first);
+    }
+  }
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<std::size_t> group_of(bodies.size(), bodies.size());
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    if (bodies[body].fixed) continue;
+    std::size_t& group = group_of[root(parent, body)];
+    if (group == bodies.size()) {
+      group = groups.size();
+      groups.emplace_back();
+    }
+    groups[group].push_back(body);
+  }
+  return groups;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,27 @@
+#include <rigid_body_sim/dynamics/catalogue.hpp>
+#include <rigid_body_sim/dynamics/free_motion.hpp>
+
+namespace rigid_body_sim {
+
+// The update of the source lecture, in its order (Rotenberg, "Rigid Body Motion",
+// RigidBody::Update):
+//   p += f h,  x += p/m h,  L += τ h,  ω = I⁻¹ L with I = A I₀ Aᵀ,  A turned by |ω| h about ω
+void semiImplicitEulerStep(const System& system, double h, std::vector<BodyState>& states,
+                           Workspace& workspace) {
+  evaluateWrenches(system, states, workspace);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Body& body = *system.bodies[i];
+    const Wrench& w = workspace.wrenches[i];
+    BodyState& s = states[i];
+    kick(w.f_W, w.tau_W, w.tau_P, h, s);
+    driftPosition(body.mass, h, s);
+    const Vector3d w_P = angularVelocity(body.inv_I, rotateBack(s.q_WP, s.L_W));
+    const Vector3d w_W = rotate(s.q_WP, w_P);
+    s.q_WP = product(rotationExp(Vector3d(h * w_W)), s.q_WP);
+    renormalize(s.q_WP);
+    s.L_P = rotateBack(s.q_WP, s.L_W);
+  }
+  workspace.wrenches_current = false;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,42 @@
+#include <rigid_body_sim/dynamics/free_motion.hpp>
+#include <rigid_body_sim/dynamics/state_dot.hpp>
+
+namespace rigid_body_sim {
+
+BodyStateDot stateDot(const Body& body, const BodyState& state, const Wrench& wrench) {
+  const Vector3d w_P = angularVelocity(body.inv_I, state.L_P);
+  const Quaterniond half_w(0, 0.5 * w_P.x(), 0.5 * w_P.y(), 0.5 * w_P.z());
+  BodyStateDot dot;
+  dot.x_dot_W = state.p_W / body.mass;
+  dot.q_dot = product(state.q_WP, half_w).coeffs();
+  dot.p_dot_W = wrench.f_W;
+  dot.L_dot_P = state.L_P.cross(w_P) + rotateBack(state.q_WP, wrench.tau_W) + wrench.tau_P;
+  return dot;
+}
+
+void accumulate(const BodyStateDot& dot, double weight, BodyStateDot& sum) {
+  sum.x_dot_W += weight * dot.x_dot_W;
+  sum.q_dot += weight * dot.q_dot;
+  sum.p_dot_W += weight * dot.p_dot_W;
+  sum.L_dot_P += weight * dot.L_dot_P;
+}
+
+BodyState stagePoint(const BodyState& state, const BodyStateDot& dot, double h) {
+  BodyState next = state;
+  next.x_W += h * dot.x_dot_W;
+  next.q_WP.coeffs() += h * dot.q_dot;
+  next.p_W += h * dot.p_dot_W;
+  next.L_P += h * dot.L_dot_P;
+  return next;
+}
+
+BodyState stepEnd(const BodyState& state, const BodyStateDot& dot, double h) {
+  BodyState next = stagePoint(state, dot, h);
+  next.x_W = state.x_W;
+  moveBy(Vector3d(h * dot.x_dot_W), next);
+  next.q_WP.normalize();
+  next.L_W = rotate(next.q_WP, next.L_P);
+  return next;
+}
+
+}  // namespace rigid_body_sim

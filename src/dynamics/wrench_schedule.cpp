@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include <rigid_body_sim/dynamics/wrench_schedule.hpp>
+
+namespace rigid_body_sim {
+
+void WrenchSchedule::put(const std::string& slot, AppliedWrench wrench, double now) {
+  if (wrench.start < now) {
+    wrench.end += now - wrench.start;
+    wrench.start = now;
+  }
+  if (!slot.empty()) {
+    for (std::size_t i = 0; i < active_.size(); ++i)
+      if (active_slots_[i] == slot) active_[i].end = std::min(active_[i].end, wrench.start);
+    for (auto it = pending_.begin(); it != pending_.end();) {
+      const bool same = it->second.slot == slot;
+      if (same) it->second.wrench.end = std::min(it->second.wrench.end, wrench.start);
+      it = same && it->second.wrench.end <= it->first ? pending_.erase(it) : std::next(it);
+    }
+  }
+  if (wrench.end > wrench.start) pending_.emplace(wrench.start, Pending{slot, wrench});
+  findNextEvent();
+}
+
+void WrenchSchedule::clear() {
+  active_.clear();
+  active_slots_.clear();
+  pending_.clear();
+  findNextEvent();
+}
+
+void WrenchSchedule::clear(const std::string& slot) {
+  for (std::size_t i = active_.size(); i-- > 0;) {
+    if (active_slots_[i] != slot) continue;
+    active_.erase(active_.begin() + static_cast<std::ptrdiff_t>(i));
+    active_slots_.erase(active_slots_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  for (auto it = pending_.begin(); it != pending_.end();)
+    it = it->second.slot == slot ? pending_.erase(it) : std::next(it);
+  findNextEvent();
+}
+
+bool WrenchSchedule::advanceTo(double t) {
+  if (t < next_event_) return false;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    if (active_[i].end <= t) continue;
+    active_[kept] = active_[i];
+    std::swap(active_slots_[kept], active_slots_[i]);
+    ++kept;
+  }
+  active_.resize(kept);
+  active_slots_.resize(kept);
+  while (!pending_.empty() && pending_.begin()->first <= t) {
+    Pending& first = pending_.begin()->second;
+    if (first.wrench.end > t) {
+      active_.push_back(first.wrench);
+      active_slots_.push_back(std::move(first.slot));
+    }
+    pending_.erase(pending_.begin());
+  }
+  findNextEvent();
+  return true;
+}
+
+std::vector<std::size_t> WrenchSchedule::bodies() const {
+  std::vector<std::size_t> bodies;
+  const auto add = [&bodies](const AppliedWrench& wrench) {
+    for (std::size_t body : {wrench.body, wrench.axes, wrench.point_frame})
+      if (body != kWorld) bodies.push_back(body);
+  };
+  for (const AppliedWrench& wrench : active_) add(wrench);
+  for (const auto& [start, pending] : pending_) add(pending.wrench);
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
+void WrenchSchedule::findNextEvent() {
+  next_event_ = std::numeric_limits<double>::infinity();
+  for (const AppliedWrench& wrench : active_) next_event_ = std::min(next_event_, wrench.end);
+  if (!pending_.empty()) next_event_ = std::min(next_event_, pending_.begin()->first);
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include "support/worlds.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using test::Bench;
+
+Bench restingBox() {
+  Bench bench;
+  bench.add(test::principalBody("box", 2, {1, 2, 2.5}), BodyFrameMotion());
+  return bench;
+}
+
+AppliedWrench worldForce(const Vector3d& force, double start, double end) {
+  AppliedWrench push;
+  push.force = force;
+  push.start = start;
+  push.end = end;
+  return push;
+}
+
+TEST(Simulation, GivesTheExactImpulseWhateverTheStep) {
+  for (const char* integrator : {"semi_implicit_euler", "strang", "rk4"}) {
+    Bench bench = restingBox();
+    AppliedWrench push = worldForce({1, 2, 12}, 0.0123, 0.0123 + 2.00491);
+    push.point = {0.3, -0.1, 0.05};
+    bench.world.wrenches.push_back(push);
+    const State end = bench.run(integrator, 3, 300);
+    const Vector3d impulse = push.force * 2.00491;
+    EXPECT_LE((end.bodies[0].p_W - impulse).norm(), 1e-13 * impulse.norm()) << integrator;
+  }
+}
+
+TEST(Simulation, CountsTimeInWholeSteps) {
+  Simulation sim = restingBox().simulation("strang", 0.1);
+  for (int i = 0; i < 1000; ++i) sim.step();
+  EXPECT_EQ(sim.steps(), 1000);
+  EXPECT_EQ(sim.time(), 1000 * 0.1);
+}
+
+TEST(Simulation, RepeatsTheSameBits) {
+  const Bench bench = test::pushedBox(kWorld, 0);
+  const State a = bench.run("strang", 1, 100);
+  const State b = bench.run("strang", 1, 100);
+  EXPECT_EQ(a.bodies[0].q_WP.coeffs(), b.bodies[0].q_WP.coeffs());
+  EXPECT_EQ(a.bodies[0].x_W, b.bodies[0].x_W);
+}
+
+TEST(Simulation, SamplesBetweenStepsWithoutDisturbingTheRun) {
+  const Bench bench = test::pushedBox(kWorld, 0);
+  Simulation asked = bench.simulation("rk4", 0.01);
+  Simulation left_alone = bench.simulation("rk4", 0.01);
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(asked.sample(asked.time() + 0.0042).t, asked.time() + 0.0042);
+    const State whole = asked.sample(0.01 * (i + 1));
+    asked.step();
+    left_alone.step();
+    EXPECT_EQ(asked.state().bodies[0].q_WP.coeffs(), left_alone.state().bodies[0].q_WP.coeffs());
+    EXPECT_EQ(asked.state().bodies[0].q_WP.coeffs(), whole.bodies[0].q_WP.coeffs());
+  }
+}
+
+TEST(Simulation, StopsAtTheLastFiniteStateAndNamesTheBody) {
+  Bench bench = restingBox();
+  Simulation sim = bench.simulation("strang", 1.0);
+  sim.step();
+  sim.applyWrench("", worldForce({1e300, 0, 0}, 0, 1e300));
+  AppliedWrench twist;
+  twist.torque = {0, 1e308, 1e308};
+  sim.applyWrench("", twist);
+  try {
+    for (int i = 0; i < 100; ++i) sim.step();
+    FAIL() << "went on";
+  } catch (const SimulationDiverged& diverged) {
+    EXPECT_EQ(diverged.body, "box");
+    EXPECT_GE(diverged.time, 1.0);
+    EXPECT_NE(std::string(diverged.what()).find("body 'box'"), std::string::npos);
+  }
+  EXPECT_TRUE(sim.state().bodies[0].q_WP.coeffs().allFinite());
+  EXPECT_TRUE(sim.state().bodies[0].L_W.allFinite());
+}
+
+TEST(Simulation, ResetRestoresTheStartAndClearsWrenches) {
+  const Bench bench = test::pushedBox(kWorld, 0);
+  Simulation sim = bench.simulation("strang", 0.01);
+  for (int i = 0; i < 10; ++i) sim.step();
+  const State first = sim.state();
+  sim.reset(false);
+  EXPECT_EQ(sim.time(), first.t);
+  EXPECT_EQ(sim.wrenchCount(), 0u);
+  EXPECT_EQ(sim.state().bodies[0].q_WP.coeffs(), bench.initial.bodies[0].q_WP.coeffs());
+  sim.reset(true);
+  EXPECT_EQ(sim.time(), 0);
+  EXPECT_EQ(sim.wrenchCount(), 1u);
+  for (int i = 0; i < 10; ++i) sim.step();
+  EXPECT_EQ(sim.state().bodies[0].q_WP.coeffs(), first.bodies[0].q_WP.coeffs());
+}
+
+TEST(Simulation, LeavesFixedBodiesWhereTheyAre) {
+  Bench bench = test::complexBox();
+  bench.world.bodies[0].fixed = true;
+  const State end = bench.run("strang", 1, 100);
+  EXPECT_EQ(end.bodies[0].x_W, bench.initial.bodies[0].x_W);
+  EXPECT_EQ(end.bodies[0].q_WP.coeffs(), bench.initial.bodies[0].q_WP.coeffs());
+}
+
+// A body does not feel that others are simulated beside it, to the last bit.
+TEST(Simulation, AdvancesIndependentBodiesApart) {
+  const Bench alone = test::pushedBox(kWorld, 0);
+  Bench both = alone;
+  both.add(test::principalBody("other", 1, {1, 2, 3}), test::tumbling({0, 0, 0}, {1, 2, 3}));
+  AppliedWrench on_other = worldForce({0, 1, 0}, 0.123, 0.345);
+  on_other.body = on_other.point_frame = 1;
+  both.world.wrenches.push_back(on_other);
+  EXPECT_EQ(alone.run("strang", 1, 100).bodies[0].q_WP.coeffs(),
+            both.run("strang", 1, 100).bodies[0].q_WP.coeffs());
+}
+
+TEST(Simulation, HoldsAWrenchInTheAxesOfAnotherBody) {
+  Bench bench = restingBox();
+  bench.add(test::principalBody("turning", 1, {1, 1, 1}), test::tumbling({0, 0, 0}, {0, 0, 2}));
+  Simulation sim = bench.simulation("rk4", 0.001);
+  AppliedWrench push;
+  push.axes = 1;
+  push.force = {3, 0, 0};
+  sim.applyWrench("arm", push);
+  for (int i = 0; i < 1000; ++i) sim.step();
+  // p = ∫ 3 (cos 2t, sin 2t) dt
+  const Vector3d p(1.5 * std::sin(2.0), 1.5 * (1 - std::cos(2.0)), 0);
+  EXPECT_LE((sim.state().bodies[0].p_W - p).norm(), 1e-12);
+  EXPECT_LE((sim.appliedWrench(0).f_W - Vector3d(3 * std::cos(2.0), 3 * std::sin(2.0), 0)).norm(),
+            1e-11);
+  sim.clearWrenches(0, "arm");
+  EXPECT_EQ(sim.wrenchCount(), 0u);
+}
+
+TEST(Simulation, RefusesAnUnknownIntegratorAndListsTheKnown) {
+  try {
+    restingBox().simulation("euler", 0.01);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& refused) {
+    const std::string message = refused.what();
+    EXPECT_NE(message.find("strang"), std::string::npos) << message;
+    EXPECT_NE(message.find("got 'euler'"), std::string::npos) << message;
+  }
+}
+
+}  // namespace
+}  // namespace rigid_body_sim

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+/// Small worlds that the tests share.
+namespace rigid_body_sim::test {
+
+/// A body of the given principal moments whose body frame is its principal frame.
+inline Body principalBody(const std::string& name, double mass, const Vector3d& I) {
+  return makeBody(name, {mass, Vector3d::Zero(), I.asDiagonal()});
+}
+
+struct Bench {
+  World world;
+  State initial;
+
+  /// Adds a body with the given motion of its body frame; returns its index.
+  std::size_t add(const Body& body, const BodyFrameMotion& motion) {
+    world.bodies.push_back(body);
+    initial.bodies.push_back(toBodyState(body, motion));
+    return world.bodies.size() - 1;
+  }
+
+  Simulation simulation(const std::string& integrator, double time_step) const {
+    World copy = world;
+    copy.solver.integrator = integrator;
+    copy.solver.time_step = time_step;
+    return Simulation(std::move(copy), initial);
+  }
+
+  /// The state after `steps` steps that together last `duration`.
+  State run(const std::string& integrator, double duration, int steps) const {
+    Simulation sim = simulation(integrator, duration / steps);
+    for (int i = 0; i < steps; ++i) sim.step();
+    return sim.state();
+  }
+};
+
+/// A motion with the given velocities at the world's origin; w_B in body axes.
+inline BodyFrameMotion tumbling(const Vector3d& v_W, const Vector3d& w_B,
+                                const Quaterniond& q_WB = Quaterniond::Identity()) {
+  BodyFrameMotion motion;
+  motion.q_WB = q_WB;
+  motion.v_W = v_W;
+  motion.w_W = rotate(q_WB, w_B);
+  return motion;
+}
+
+/// Box 0.1 × 0.4 × 0.9 m of 10 kg, thrown as in the "complex" case of the OSRF boxes benchmark.
+inline Bench complexBox() {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.8};
+  bench.add(principalBody("box", 10, {9.7 / 12, 8.2 / 12, 1.7 / 12}),
+            tumbling({-2, 2, 8}, {0.1, 5, 0.1}));
+  return bench;
+}
+
+/// Box 1 × 0.5 × 0.25 m of 2 kg under gravity, pushed by a wrench of the given axes and place; at
+/// full strength it spins the box up to some 60 rad/s in a second.
+inline Bench pushedBox(std::size_t axes, std::size_t point_frame, double strength = 1) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  const Vector3d I = 2. / 12 * Vector3d(0.25 + 0.0625, 1 + 0.0625, 1 + 0.25);
+  bench.add(principalBody("box", 2, I), tumbling({0.5, 0, 1}, {1, -0.7, 0.4}));
+  AppliedWrench push;
+  push.body = 0;
+  push.axes = axes;
+  push.point_frame = point_frame;
+  push.force = strength * Vector3d(1, 2, 12);
+  push.torque = strength * Vector3d(0.2, 0, -0.1);
+  push.point = {0.3, -0.1, 0.05};
+  bench.world.wrenches.push_back(push);
+  return bench;
+}
+
+}  // namespace rigid_body_sim::test
