@@ -16,8 +16,7 @@ std::string shippedScene(const std::string& name) {
 
 /// A text damaged in one to four places: bytes replaced, put in, cut out, or a stretch repeated.
 std::string damaged(std::string text, std::mt19937& rng) {
-  const std::string bytes =
-      std::string(":[]{},-#&*!|>'\"%@`~?<. \n\t\r01e+n\\") + '\0' + '\x80';
+  const std::string bytes = std::string(":[]{},-#&*!|>'\"%@`~?<. \n\t\r01e+n\\") + '\0' + '\x80';
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(rng()) % n; };
   for (std::size_t count = 1 + below(4); count > 0; --count) {
     const std::size_t at = below(text.size());
