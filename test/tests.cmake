@@ -49,3 +49,8 @@ rigid_body_gtest(test_taylor
   SOURCES
     test/dynamics/test_taylor_segment.cpp
   LIBRARIES rigid_body_sim_core)
+
+rigid_body_gtest(test_rotor
+  SOURCES
+    test/dynamics/test_rotor.cpp
+  LIBRARIES rigid_body_sim_core)
