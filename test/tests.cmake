@@ -34,6 +34,7 @@ rigid_body_gtest(test_dynamics
 
 rigid_body_gtest(test_scene
   SOURCES
+    test/scene/test_any_text.cpp
     test/scene/test_build_world.cpp
     test/scene/test_file_errors.cpp
     test/scene/test_frames.cpp

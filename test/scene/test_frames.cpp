@@ -195,6 +195,8 @@ TEST(SceneWrench, IsRefusedWithItsLineWhenItNamesWhatIsNotThere) {
             "s.yaml:7: wrenches[0]: unknown body 'bax' (known: box)");
   EXPECT_EQ(errorOf(boxScene("wrenches:\n  - {body: box, frame: map, duration: 1}\n")),
             "s.yaml:7: wrenches[0]: unknown frame 'map' (known: world, box)");
+  EXPECT_EQ(errorOf(boxScene("wrenches:\n  - {body: \"a\\nb\", frame: map, duration: 1}\n")),
+            "s.yaml:7: wrenches[0]: unknown body 'a?b' (known: box)");
 }
 
 }  // namespace rigid_body_sim

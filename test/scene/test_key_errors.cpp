@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/dynamics/catalogue.hpp>
+
 #include "scene_texts.hpp"
 
 namespace rigid_body_sim {
@@ -32,7 +34,8 @@ TEST(SceneKeys, MustBeKnown) {
             "s.yaml:7: wrenches[0]: unknown key 'bodi' (known: body, point, point_frame, frame, "
             "force, torque, start, duration)");
   EXPECT_EQ(errorOf(bodyScene("  - name: a\n    shape: {cube: 1}\n")),
-            "s.yaml:4: body 'a': unknown key 'shape.cube' (known: box, sphere, cylinder)");
+            "s.yaml:4: body 'a': unknown key 'shape.cube' (known: box, sphere, cylinder, capsule, "
+            "ellipsoid, cone)");
 }
 
 TEST(SceneKeys, MustBeThere) {
@@ -77,6 +80,16 @@ TEST(SceneKeys, TakeAToleranceWithAutoOnly) {
             "s.yaml:2: tolerance goes with integrator auto only, got integrator rk4");
   EXPECT_EQ(errorOf("integrator: auto\ntolerance: 1e-6\n" + boxScene()), "");
   EXPECT_EQ(errorOf("integrator: rk4\nhorizon: 3\n" + boxScene()), "");
+}
+
+TEST(SceneKeys, NameAnIntegratorOfTheCatalogue) {
+  for (const Method& method : catalogue())
+    EXPECT_EQ(errorOf("integrator: " + std::string(method.name) + "\n" + boxScene()), "");
+  const std::string error = errorOf("integrator: rk5\n" + boxScene());
+  EXPECT_EQ(error.substr(0, 42), "s.yaml:1: integrator must be one of auto, ");
+  EXPECT_EQ(error.substr(error.rfind(',')), ", got 'rk5'");
+  EXPECT_EQ(errorOf("integrator: [rk4]\n" + boxScene()),
+            "s.yaml:1: integrator must be a text, got [rk4]");
 }
 
 TEST(SceneNames, AreUnique) {

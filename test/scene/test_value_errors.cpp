@@ -62,12 +62,14 @@ TEST(SceneNumbers, ArePositiveWhereTheyMustBe) {
             "s.yaml:4: body 'a': shape.box[1] must be > 0 m, got 0");
   EXPECT_EQ(errorOf(body + "    shape: {sphere: {radius: -1}}\n"),
             "s.yaml:4: body 'a': shape.sphere.radius must be > 0 m, got -1");
+  EXPECT_EQ(errorOf(body + "    shape: {capsule: {radius: 1, length: -1}}\n"),
+            "s.yaml:4: body 'a': shape.capsule.length must be >= 0 m, got -1");
 }
 
 TEST(SceneInertia, IsThatOfARigidBody) {
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 1, izz: 5}"),
             "s.yaml:5: body 'a': inertia must satisfy the triangle inequality I1 + I2 >= I3, got "
-            "principal moments [1 1 5] kg m^2");
+            "principal moments [1 1 5] kg m^2: 2 < 5");
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 1, izz: -1}"),
             "s.yaml:5: body 'a': inertia must be positive definite, got principal moments "
             "[-1  1  1] kg m^2");
