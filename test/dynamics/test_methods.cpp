@@ -136,14 +136,14 @@ TEST_P(EveryMethod, IsReversibleIfAndOnlyIfItSaysSo) {
   for (double h : {longStep(method), -longStep(method)})
     for (int i = 0; i < 100; ++i) method.step(system, h, states, workspace);
   const double error = angleBetween(states[0].q_WP, bench.initial.bodies[0].q_WP);
-  EXPECT_EQ(error < 1e-11, method.reversible) << error;
+  EXPECT_EQ(error < 1e-11, method.claims_to(kReversible)) << error;
 }
 
 TEST_P(EveryMethod, KeepsAngularMomentumToTheLastBitIfItSaysSo) {
   const Method& method = GetParam();
   const Bench bench = freeBody();
   const State end = bench.run(method.name, 10, 1000);
-  EXPECT_EQ(end.bodies[0].L_W == bench.initial.bodies[0].L_W, method.keeps_free_L);
+  EXPECT_EQ(end.bodies[0].L_W == bench.initial.bodies[0].L_W, method.claims_to(kKeepsFreeL));
   EXPECT_EQ(end.bodies[0].p_W, bench.initial.bodies[0].p_W);
 }
 
@@ -161,7 +161,7 @@ TEST_P(EveryMethod, BoundsTheEnergyErrorIfItSaysSo) {
     double& worst = i < 2000 ? early : late;
     worst = std::max(worst, std::abs(kineticEnergy(body, sim.state().bodies[0]) - E_0));
   }
-  EXPECT_EQ(late < 1.5 * early, method.bounded_energy) << early << " then " << late;
+  EXPECT_EQ(late < 1.5 * early, method.claims_to(kBoundsEnergy)) << early << " then " << late;
 }
 
 // The two figures of the issue that this catalogue began with.

@@ -6,6 +6,7 @@
 #include <rigid_body_sim/dynamics/body.hpp>
 #include <rigid_body_sim/dynamics/held_wrench.hpp>
 #include <rigid_body_sim/dynamics/state.hpp>
+#include <rigid_body_sim/dynamics/step_too_long.hpp>
 
 namespace rigid_body_sim {
 
@@ -68,16 +69,20 @@ class TaylorSegmentT {
 
 using TaylorSegment = TaylorSegmentT<double>;
 
-/// The state a duration [s] >= 0 later, over as many segments as it takes.
+/// The state a duration [s] >= 0 later, over as many segments as it takes. Throws StepTooLong where
+/// a million would not do.
 template <class T>
 BodyStateT<T> advanceTaylor(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
                             BodyStateT<T> state, T duration) {
-  for (T left = duration;;) {
+  constexpr int kMostSegments = 1000000;
+  T left = duration;
+  for (int count = 0; count < kMostSegments; ++count) {
     const TaylorSegmentT<T> segment(body, wrench, g_W, state);
     if (!(segment.validFor() < left)) return segment.at(left);
     state = segment.at(segment.validFor());
     left -= segment.validFor();
   }
+  throw StepTooLong("the motion is too fast to be followed");
 }
 
 extern template class TaylorSegmentT<double>;

@@ -16,6 +16,12 @@ struct KickDriftKick {
   std::array<double, kDrifts> drifts;
 };
 
+template <std::size_t kKicks>
+struct DriftKickDrift {
+  std::array<double, kKicks + 1> drifts;
+  std::array<double, kKicks> kicks;
+};
+
 /// The composition of Strang steps of lengths gamma: neighbouring half kicks are one kick.
 template <std::size_t kSteps>
 constexpr KickDriftKick<kSteps> composition(const std::array<double, kSteps>& gamma) {
@@ -47,6 +53,22 @@ void kickDriftKick(const KickDriftKick<kDrifts>& method, const Drift& drift, con
   }
   kickAll(method.kicks[kDrifts] * h, workspace.wrenches, states);
   workspace.wrenches_current = true;
+}
+
+/// One step that begins and ends with a drift.
+template <std::size_t kKicks, class Drift>
+void driftKickDrift(const DriftKickDrift<kKicks>& method, const Drift& drift, const System& system,
+                    double h, std::vector<BodyState>& states, Workspace& workspace) {
+  const auto driftAll = [&](double step) {
+    for (std::size_t i = 0; i < states.size(); ++i) drift(*system.bodies[i], step, states[i]);
+  };
+  for (std::size_t k = 0; k < kKicks; ++k) {
+    driftAll(method.drifts[k] * h);
+    evaluateWrenches(system, states, workspace);
+    kickAll(method.kicks[k] * h, workspace.wrenches, states);
+  }
+  driftAll(method.drifts[kKicks] * h);
+  workspace.wrenches_current = false;
 }
 
 /// Free motion with the rotation split into three rotations: second order, symplectic, reversible.
