@@ -12,9 +12,21 @@ function(rigid_body_gtest name)
   file(APPEND ${CMAKE_BINARY_DIR}/gtests.txt "${name}\n")
 endfunction()
 
+rigid_body_gtest(test_math
+  SOURCES
+    test/math/test_compensated_sum.cpp
+    test/math/test_hat.cpp
+  LIBRARIES rigid_body_sim_core)
+
 rigid_body_gtest(test_mass
   SOURCES
+    test/mass/test_checked_mesh.cpp
+    test/mass/test_combined.cpp
+    test/mass/test_mass_properties_fault.cpp
+    test/mass/test_particles.cpp
     test/mass/test_principal_axes.cpp
+    test/mass/test_shapes.cpp
+    test/mass/test_triangle_mesh.cpp
   LIBRARIES rigid_body_sim_core)
 
 rigid_body_gtest(test_dynamics
@@ -27,8 +39,15 @@ rigid_body_gtest(test_dynamics
 
 rigid_body_gtest(test_scene
   SOURCES
+    test/scene/test_any_text.cpp
     test/scene/test_build_world.cpp
+    test/scene/test_file_errors.cpp
+    test/scene/test_frames.cpp
+    test/scene/test_key_errors.cpp
+    test/scene/test_numbers.cpp
+    test/scene/test_read_mesh.cpp
     test/scene/test_shipped_scenes.cpp
+    test/scene/test_value_errors.cpp
   LIBRARIES rigid_body_sim_scene)
 target_compile_definitions(test_scene PRIVATE
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
@@ -73,3 +92,12 @@ file(GLOB launch_files RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/laun
 foreach(launch_file ${launch_files})
   roslaunch_add_file_check(${launch_file} IGNORE_UNSET_ARGS)
 endforeach()
+rigid_body_gtest(test_taylor
+  SOURCES
+    test/dynamics/test_taylor_segment.cpp
+  LIBRARIES rigid_body_sim_core)
+
+rigid_body_gtest(test_rotor
+  SOURCES
+    test/dynamics/test_rotor.cpp
+  LIBRARIES rigid_body_sim_core)

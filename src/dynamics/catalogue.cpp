@@ -1,3 +1,4 @@
+#include <limits>
 #include <stdexcept>
 
 #include <rigid_body_sim/dynamics/catalogue.hpp>
@@ -5,12 +6,23 @@
 namespace rigid_body_sim {
 
 const std::vector<Method>& catalogue() {
-  // name, order, evaluations, reversible, bounded energy, keeps L
+  // most turn: where the energy error of a free body passes about 1e-2, or the order is left
+  constexpr double kAnyTurn = std::numeric_limits<double>::infinity();
+  constexpr unsigned kGeometric = kReversible | kBoundsEnergy | kKeepsFreeL | kTakesCoupling;
+  constexpr unsigned kMomentum = kKeepsFreeL | kTakesCoupling;
+  // clang-format off
   static const std::vector<Method> rows{
-      {"semi_implicit_euler", 1, 1, false, false, true, semiImplicitEulerStep},
-      {"strang", 2, 1, true, true, true, strangStep},
-      {"rk4", 4, 4, false, false, false, rk4Step},
+      // name               order free eval turn cost  claims                 step
+      {"semi_implicit_euler", 1, 1,  1, 0.8,   1, kMomentum,             semiImplicitEulerStep},
+      {"strang",              2, 2,  1, 0.8,   1, kGeometric,            strangStep},
+      {"magnus4",             2, 4,  1, 0.4,   1, kMomentum,             magnus4Step},
+      {"rk4",                 4, 4,  4, 0.4,   2, kTakesCoupling,        rk4Step},
+      {"blanes_moan6",        6, 6, 14, 1.6, 100, kGeometric,            blanesMoan6Step},
+      {"kahan_li8",           8, 8, 17, 0.8,  16, kGeometric,            kahanLi8Step},
+      {"dop853",              8, 8, 12, 1.6,   7, kTakesCoupling,        dop853Step},
+      {"taylor",             16, 16, 1, kAnyTurn, 8, kSolves | kKeepsFreeL, taylorStep},
   };
+  // clang-format on
   return rows;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -11,16 +12,16 @@ namespace {
 std::string divergedMessage(double time, const std::string& body, const std::string& quantity) {
   std::ostringstream message;
   message.precision(17);
-  message << "t = " << time << " s: body '" << body << "': " << quantity << " is no longer finite";
+  message << "t = " << time << " s: body '" << body << "': " << quantity;
   return message.str();
 }
 
 /// The first quantity of a state that is not finite; null when all are.
 const char* nonFiniteQuantity(const BodyState& s) {
-  if (!s.x_W.allFinite() || !s.x_low_W.allFinite()) return "position";
-  if (!s.q_WP.coeffs().allFinite()) return "attitude";
-  if (!s.p_W.allFinite()) return "momentum";
-  if (!s.L_W.allFinite() || !s.L_P.allFinite()) return "angular momentum";
+  if (!s.x_W.allFinite() || !s.x_low_W.allFinite()) return "position is no longer finite";
+  if (!s.q_WP.coeffs().allFinite()) return "attitude is no longer finite";
+  if (!s.p_W.allFinite()) return "momentum is no longer finite";
+  if (!s.L_W.allFinite() || !s.L_P.allFinite()) return "angular momentum is no longer finite";
   return nullptr;
 }
 
@@ -51,7 +52,13 @@ void Simulation::reset(bool restart_time) {
 void Simulation::step() {
   next_ = state_;
   next_.t = static_cast<double>(steps_ + 1) * world_->solver.time_step;
-  for (Group& group : groups_) advance(group, next_.t, next_);
+  for (Group& group : groups_) {
+    try {
+      advance(group, next_.t, next_);
+    } catch (const StepTooLong& reason) {
+      throw SimulationDiverged(state_.t, world_->bodies[group.members.front()].name, reason.what());
+    }
+  }
   for (std::size_t i = 0; i < next_.bodies.size(); ++i)
     if (const char* quantity = nonFiniteQuantity(next_.bodies[i]))
       throw SimulationDiverged(state_.t, world_->bodies[i].name, quantity);
@@ -75,13 +82,32 @@ void Simulation::advance(Group& group, double t_end, State& state) {
   while (t < t_end) {
     double t_next = t_end;
     for (std::size_t body : group.members) t_next = std::min(t_next, schedules_[body].nextEvent());
-    if (t_next > t) method_->step(group.system, t_next - t, scratch_, group.workspace);
+    if (t_next > t) stepInParts(group, t_next - t);
     t = t_next;
     takeEvents(group, t);
   }
 
   for (std::size_t k = 0; k < group.members.size(); ++k)
     state.bodies[group.members[k]] = scratch_[k];
+}
+
+/// One step of the method, or as many as it takes for it to follow the turn of the fastest body.
+void Simulation::stepInParts(Group& group, double h) {
+  double turn = 0;
+  for (std::size_t k = 0; k < scratch_.size(); ++k)
+    turn =
+        std::max(turn, h * angularVelocity(group.system.bodies[k]->inv_I, scratch_[k].L_P).norm());
+  const double parts = std::max(1.0, std::ceil(turn / method_->most_turn));
+  constexpr double kMostParts = 1e5;
+  if (!(parts <= kMostParts)) {
+    std::ostringstream reason;
+    reason << "a step turns the body by " << turn << " rad, more than " << method_->name
+           << " follows in " << kMostParts << " parts";
+    throw StepTooLong(reason.str());
+  }
+  if (parts > 1) most_parts_ = std::max(most_parts_, static_cast<int>(parts));
+  for (int k = 0; k < static_cast<int>(parts); ++k)
+    method_->step(group.system, h / parts, scratch_, group.workspace);
 }
 
 void Simulation::takeEvents(Group& group, double t) {

@@ -8,10 +8,19 @@ constexpr double kPi = 3.14159265358979323846;
 double volumeOf(const Box& box) { return box.size.prod(); }
 double volumeOf(const Sphere& s) { return 4.0 / 3.0 * kPi * s.radius * s.radius * s.radius; }
 double volumeOf(const Cylinder& c) { return kPi * c.radius * c.radius * c.length; }
+double volumeOf(const Capsule& c) {
+  return kPi * c.radius * c.radius * (c.length + 4.0 / 3.0 * c.radius);
+}
+double volumeOf(const Ellipsoid& e) { return 4.0 / 3.0 * kPi * e.semi_axes.prod(); }
+double volumeOf(const Cone& c) { return kPi / 3.0 * c.radius * c.radius * c.length; }
 
 Vector3d momentsOf(const Box& box, double m) {
   const Vector3d s2 = box.size.cwiseAbs2();
   return m / 12 * Vector3d(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y());
+}
+Vector3d momentsOf(const Ellipsoid& e, double m) {
+  const Vector3d s2 = e.semi_axes.cwiseAbs2();
+  return m / 5 * Vector3d(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y());
 }
 Vector3d momentsOf(const Sphere& s, double m) {
   return Vector3d::Constant(2.0 / 5.0 * m * s.radius * s.radius);
@@ -20,6 +29,19 @@ Vector3d momentsOf(const Cylinder& c, double m) {
   const double r2 = c.radius * c.radius;
   const double across = m / 12 * (3 * r2 + c.length * c.length);
   return {across, across, m / 2 * r2};
+}
+Vector3d momentsOf(const Capsule& c, double m) {
+  const double r = c.radius, l = c.length;
+  const double m_cylinder = m * l / (l + 4.0 / 3.0 * r);
+  const double m_caps = m * 4 * r / (3 * l + 4 * r);
+  const double across = m_cylinder * (3 * r * r + l * l) / 12 +
+                        m_caps * (2.0 / 5.0 * r * r + 3.0 / 8.0 * r * l + l * l / 4);
+  return {across, across, (m_cylinder / 2 + 2.0 / 5.0 * m_caps) * r * r};
+}
+Vector3d momentsOf(const Cone& c, double m) {
+  const double r2 = c.radius * c.radius;
+  const double across = 3.0 / 80.0 * m * (4 * r2 + c.length * c.length);
+  return {across, across, 3.0 / 10.0 * m * r2};
 }
 
 }  // namespace

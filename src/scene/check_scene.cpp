@@ -1,3 +1,4 @@
+#include <cassert>
 #include <map>
 
 #include <rigid_body_sim/scene/check_scene.hpp>
@@ -42,9 +43,11 @@ void checkMotion(const Scene& scene, const BodyDef& body) {
 
 MassProperties massProperties(const BodyDef& body) {
   if (body.shape) {
+    assert(body.mass || body.density);
     const double mass = body.mass ? *body.mass : *body.density * volume(*body.shape);
     return massProperties(*body.shape, mass);
   }
+  assert(body.mass && body.inertia);
   return {*body.mass, body.center_of_mass, *body.inertia};
 }
 

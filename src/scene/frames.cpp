@@ -1,6 +1,6 @@
 #include <rigid_body_sim/scene/frames.hpp>
 
-#include "name_list.hpp"
+#include "message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -3,7 +3,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
+#include <system_error>
 
+#include <rigid_body_sim/dynamics/catalogue.hpp>
 #include <rigid_body_sim/scene/check_scene.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
@@ -39,9 +42,15 @@ std::vector<WrenchDef> readWrenches(const Entry& value) {
   return wrenches;
 }
 
-void readIntegrator(const Entry& value, Scene& scene) {
-  scene.integrator = readName(value);
-  scene.integrator_line = value.node().line;
+/// auto, or a row of the catalogue.
+std::string readIntegrator(const Entry& value) {
+  const std::string name = readText(value);
+  try {
+    if (name != "auto") methodNamed(name);
+  } catch (const std::invalid_argument& e) {
+    value.fail(e.what());
+  }
+  return name;
 }
 
 void refuseIdleTolerance(const Entry& root, const Scene& scene) {
@@ -53,7 +62,8 @@ void refuseIdleTolerance(const Entry& root, const Scene& scene) {
 
 std::string readFile(const std::string& path) {
   constexpr std::size_t kMaxBytes = 16 << 20;
-  if (std::filesystem::is_directory(path))
+  std::error_code no_matter;  // what cannot be looked at cannot be opened either
+  if (std::filesystem::is_directory(path, no_matter))
     throw SceneError(path, 0, "is a directory, not a scene file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -76,7 +86,7 @@ Scene parseScene(const std::string& yaml_text, const std::string& source_name) {
       {"world_frame", [](const Entry& e, Scene& s) { s.world_frame = readWorldFrame(e); }},
       {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
       {"time_step", [](const Entry& e, Scene& s) { s.time_step = readPositive(e, "s"); }, true},
-      {"integrator", readIntegrator},
+      {"integrator", [](const Entry& e, Scene& s) { s.integrator = readIntegrator(e); }},
       {"tolerance", [](const Entry& e, Scene& s) { s.tolerance = readPositive(e, ""); }},
       {"horizon", [](const Entry& e, Scene& s) { s.horizon = readPositive(e, "s"); }},
       {"bodies", [](const Entry& e, Scene& s) { s.bodies = readBodies(e); }, true},

@@ -3,12 +3,12 @@
 namespace rigid_body_sim {
 namespace {
 
-Shape readBox(const Entry& value) {
-  Vector3d size;
-  const std::vector<Entry> items = value.items("must be a list of 3 numbers [m]");
-  if (items.size() != 3) value.failRule("must be a list of 3 numbers [m]");
-  for (int i = 0; i < 3; ++i) size(i) = readPositive(items[static_cast<std::size_t>(i)], "m");
-  return Box{size};
+/// Three lengths > 0.
+Vector3d readSize(const Entry& value) {
+  const std::string rule = "must be a list of 3 numbers [m]";
+  const std::vector<Entry> items = value.items(rule);
+  if (items.size() != 3) value.failRule(rule);
+  return {readPositive(items[0], "m"), readPositive(items[1], "m"), readPositive(items[2], "m")};
 }
 
 Shape readSphere(const Entry& value) {
@@ -20,23 +20,44 @@ Shape readSphere(const Entry& value) {
   return sphere;
 }
 
-Shape readCylinder(const Entry& value) {
-  const std::vector<Key<Cylinder>> keys = {
-      {"radius", [](const Entry& e, Cylinder& c) { c.radius = readPositive(e, "m"); }, true},
-      {"length", [](const Entry& e, Cylinder& c) { c.length = readPositive(e, "m"); }, true},
+double readCapsuleLength(const Entry& value) {
+  const double length = readNumber(value, "m");
+  if (length < 0) value.failRule("must be >= 0 m");
+  return length;
+}
+
+Shape readCapsule(const Entry& value) {
+  const std::vector<Key<Capsule>> keys = {
+      {"radius", [](const Entry& e, Capsule& c) { c.radius = readPositive(e, "m"); }, true},
+      {"length", [](const Entry& e, Capsule& c) { c.length = readCapsuleLength(e); }, true},
   };
-  Cylinder cylinder{};
-  readMapping(value, keys, cylinder);
-  return cylinder;
+  Capsule capsule{};
+  readMapping(value, keys, capsule);
+  return capsule;
+}
+
+/// A solid of revolution with a radius and a length.
+template <class Solid>
+Shape readRound(const Entry& value) {
+  const std::vector<Key<Solid>> keys = {
+      {"radius", [](const Entry& e, Solid& s) { s.radius = readPositive(e, "m"); }, true},
+      {"length", [](const Entry& e, Solid& s) { s.length = readPositive(e, "m"); }, true},
+  };
+  Solid solid{};
+  readMapping(value, keys, solid);
+  return solid;
 }
 
 }  // namespace
 
 Shape readShape(const Entry& entry) {
   const std::vector<Key<Shape>> keys = {
-      {"box", [](const Entry& e, Shape& s) { s = readBox(e); }},
+      {"box", [](const Entry& e, Shape& s) { s = Box{readSize(e)}; }},
       {"sphere", [](const Entry& e, Shape& s) { s = readSphere(e); }},
-      {"cylinder", [](const Entry& e, Shape& s) { s = readCylinder(e); }},
+      {"cylinder", [](const Entry& e, Shape& s) { s = readRound<Cylinder>(e); }},
+      {"capsule", [](const Entry& e, Shape& s) { s = readCapsule(e); }},
+      {"ellipsoid", [](const Entry& e, Shape& s) { s = Ellipsoid{readSize(e)}; }},
+      {"cone", [](const Entry& e, Shape& s) { s = readRound<Cone>(e); }},
   };
   Shape shape;
   readMapping(entry, keys, shape);

@@ -4,7 +4,7 @@
 
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
 
-#include "name_list.hpp"
+#include "message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -34,14 +34,15 @@ std::string bodyFault(const std::string& name, const std::vector<Body>& bodies) 
   if (body == bodies.end()) {
     std::vector<std::string> names;
     for (const Body& known : bodies) names.push_back(known.name);
-    return "unknown body '" + name + "' (known: " + nameList(names) + ")";
+    return "unknown body '" + printable(name) + "' (known: " + nameList(names) + ")";
   }
   return body->fixed ? "body '" + name + "' is fixed, no wrench can move it" : "";
 }
 
 std::string frameFault(const char* key, const std::string& name, const FrameTable& frames) {
   if (frames.find(name)) return "";
-  return std::string("unknown ") + key + " '" + name + "' (known: " + frames.names() + ")";
+  return std::string("unknown ") + key + " '" + printable(name) + "' (known: " + frames.names() +
+         ")";
 }
 
 /// The first that is not empty.

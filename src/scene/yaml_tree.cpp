@@ -148,14 +148,6 @@ YamlNode parseYaml(const std::string& yaml_text, const std::string& source_name)
   return builder.takeRoot();
 }
 
-std::string printable(const std::string& text) {
-  constexpr std::size_t kMaxLength = 60;
-  std::string line = text.substr(0, kMaxLength);
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return text.size() > kMaxLength ? line + "..." : line;
-}
-
 std::string printable(const YamlNode& node) {
   switch (node.kind) {
     case YamlNode::Kind::kEmpty:

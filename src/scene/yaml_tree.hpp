@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "message_text.hpp"
+
 namespace rigid_body_sim {
 
 /// A YAML document as a tree that keeps what messages and strictness need and yaml-cpp's own nodes
@@ -26,8 +28,5 @@ YamlNode parseYaml(const std::string& yaml_text, const std::string& source_name)
 
 /// The value as a message shows it: on one line, flow style, shortened to about 60 characters.
 std::string printable(const YamlNode& node);
-
-/// Text on one line: control characters are replaced, the end is cut.
-std::string printable(const std::string& text);
 
 }  // namespace rigid_body_sim

@@ -61,6 +61,24 @@ TEST(BuildWorld, GivesTheShapeItsInertia) {
   EXPECT_EQ(rod.I, Vector3d(1, 2, 2));  // m r²/2 along, m (3 r² + l²)/12 across
 }
 
+TEST(BuildWorld, ReadsEveryShapeWithItsOwnMeasures) {
+  const auto shapeOf = [](const std::string& text) {
+    return *sceneOf("    shape: " + text + "\n    mass: 1\n").bodies[0].shape;
+  };
+  EXPECT_EQ(std::get<Box>(shapeOf("{box: [1, 2, 3]}")).size, Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<Sphere>(shapeOf("{sphere: {radius: 2}}")).radius, 2);
+  const Cylinder cylinder = std::get<Cylinder>(shapeOf("{cylinder: {length: 3, radius: 2}}"));
+  EXPECT_EQ(cylinder.radius, 2);
+  EXPECT_EQ(cylinder.length, 3);
+  const Capsule capsule = std::get<Capsule>(shapeOf("{capsule: {radius: 2, length: 0}}"));
+  EXPECT_EQ(capsule.radius, 2);
+  EXPECT_EQ(capsule.length, 0);
+  EXPECT_EQ(std::get<Ellipsoid>(shapeOf("{ellipsoid: [1, 2, 3]}")).semi_axes, Vector3d(1, 2, 3));
+  const Cone cone = std::get<Cone>(shapeOf("{cone: {radius: 2, length: 3}}"));
+  EXPECT_EQ(cone.radius, 2);
+  EXPECT_EQ(cone.length, 3);
+}
+
 TEST(BuildWorld, KeepsTheSignOfProductsOfInertia) {
   const Scene scene = sceneOf(
       "    mass: 1\n    inertia: {ixx: 3, iyy: 4, izz: 5, ixy: 0.1, ixz: -0.2, iyz: 0.3}\n");

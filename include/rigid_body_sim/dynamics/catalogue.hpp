@@ -3,35 +3,52 @@
 #include <string>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/step_too_long.hpp>
 #include <rigid_body_sim/dynamics/system.hpp>
 
 namespace rigid_body_sim {
 
-/// Advances the states by h, with wrenches that neither start nor end meanwhile.
+/// Advances the states by h, with wrenches that neither start nor end meanwhile. Throws
+/// StepTooLong.
 using StepFunction = void (*)(const System& system, double h, std::vector<BodyState>& states,
                               Workspace& workspace);
+
+/// What a method may claim; claims add up by |.
+enum Claim : unsigned {
+  kReversible = 1,     ///< a step of h, then of −h, is back to rounding
+  kBoundsEnergy = 2,   ///< the energy error of free motion does not grow with time
+  kKeepsFreeL = 4,     ///< angular momentum is constant to the last bit without torque
+  kSolves = 8,         ///< the error is rounding, whatever the step
+  kTakesCoupling = 16  ///< accepts wrenches that depend on more than the motion of their own body
+};
 
 /// One row of the catalogue: a method and what it claims. The tests hold it to every claim.
 struct Method {
   const char* name;
-  int order;            ///< of attitude and position, for every wrench that it accepts
-  int evaluations;      ///< of the wrenches, per step
-  bool reversible;      ///< a step of h, then of −h, is back to rounding
-  bool bounded_energy;  ///< the energy error of free motion does not grow with time
-  bool keeps_free_L;    ///< angular momentum is constant to the last bit without torque
+  int order;         ///< of attitude and position, for every wrench that it accepts
+  int free_order;    ///< of the attitude of a body without torque
+  int evaluations;   ///< of the wrenches, per step
+  double most_turn;  ///< [rad] |ω| h that a step follows; longer ones are taken in parts
+  double cost;       ///< of a step of one body under one held wrench, relative to strang's
+  unsigned claims;
   StepFunction step;
+
+  bool claims_to(Claim claim) const { return (claims & claim) != 0; }
 };
 
-/// Every method, cheapest step first.
+/// Every method, by ascending order.
 const std::vector<Method>& catalogue();
 
 /// The row of that name. Throws std::invalid_argument that lists the names there are.
 const Method& methodNamed(const std::string& name);
 
-void semiImplicitEulerStep(const System& system, double h, std::vector<BodyState>& states,
-                           Workspace& workspace);
-void strangStep(const System& system, double h, std::vector<BodyState>& states,
-                Workspace& workspace);
-void rk4Step(const System& system, double h, std::vector<BodyState>& states, Workspace& workspace);
+void semiImplicitEulerStep(const System&, double h, std::vector<BodyState>&, Workspace&);
+void strangStep(const System&, double h, std::vector<BodyState>&, Workspace&);
+void magnus4Step(const System&, double h, std::vector<BodyState>&, Workspace&);
+void rk4Step(const System&, double h, std::vector<BodyState>&, Workspace&);
+void kahanLi8Step(const System&, double h, std::vector<BodyState>&, Workspace&);
+void blanesMoan6Step(const System&, double h, std::vector<BodyState>&, Workspace&);
+void dop853Step(const System&, double h, std::vector<BodyState>&, Workspace&);
+void taylorStep(const System&, double h, std::vector<BodyState>&, Workspace&);
 
 }  // namespace rigid_body_sim

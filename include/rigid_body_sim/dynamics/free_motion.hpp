@@ -38,6 +38,28 @@ void driftRotation(const RotationSplit<T>& split, T h, BodyStateT<T>& s) {
   renormalize(s.q_WP);
 }
 
+/// Free rotation over h to fourth order by one exponential, L_W untouched: the Magnus expansion of
+/// the body's angular velocity, with w₁, w₂, w₃ its derivatives at the start,
+///   θ = h w + h²/2 w₁ + h³/6 w₂ + h⁴/24 w₃ + h³/12 w × w₁ + h⁴/24 w × w₂.
+/// Source: Iserles, Munthe-Kaas, Nørsett & Zanna, Acta Numerica 9 (2000) 215.
+template <class T>
+void driftMagnus(const Vector3<T>& inv_I, T h, BodyStateT<T>& s) {
+  const Vector3<T>& m = s.L_P;
+  const Vector3<T> w = inv_I.cwiseProduct(m);
+  const Vector3<T> m1 = m.cross(w);
+  const Vector3<T> w1 = inv_I.cwiseProduct(m1);
+  const Vector3<T> m2 = m1.cross(w) + m.cross(w1);
+  const Vector3<T> w2 = inv_I.cwiseProduct(m2);
+  const Vector3<T> m3 = m2.cross(w) + T(2) * m1.cross(w1) + m.cross(w2);
+  const Vector3<T> w3 = inv_I.cwiseProduct(m3);
+  const Vector3<T> theta = h * (w + h / T(2) * (w1 + h / T(3) * (w2 + h / T(4) * w3))) +
+                           h * h * h / T(12) * (w.cross(w1) + h / T(2) * w.cross(w2));
+  const Quaternion<T> turn = rotationExp(theta);
+  s.L_P = rotateBack(turn, s.L_P);
+  s.q_WP = product(s.q_WP, turn);
+  renormalize(s.q_WP);
+}
+
 /// x += d with the part that x_W is too coarse to hold kept in x_low_W (Neumaier).
 template <class T>
 void moveBy(const Vector3<T>& d, BodyStateT<T>& s) {

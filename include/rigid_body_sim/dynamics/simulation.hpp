@@ -18,7 +18,7 @@ class SimulationDiverged : public std::runtime_error {
   SimulationDiverged(double time, const std::string& body, const std::string& quantity);
   double time;           ///< [s] of the last good state
   std::string body;      ///< name
-  std::string quantity;  ///< what failed, such as "angular momentum"
+  std::string quantity;  ///< what failed, such as "angular momentum is no longer finite"
 };
 
 /// Advances a world by its fixed time step. Time is step count × step, never accumulated.
@@ -54,6 +54,10 @@ class Simulation {
   /// Sum of the wrenches applied to a body now, without gravity.
   Wrench appliedWrench(std::size_t body) const;
 
+  /// The most parts that a step was taken in so far, because a body turned faster than the method
+  /// follows in one; 1 when none was.
+  int mostParts() const { return most_parts_; }
+
   void setState(std::size_t body, const BodyState& state);
 
   /// Back to the initial states, every wrench cleared. Time runs on; or it starts again at zero,
@@ -72,6 +76,7 @@ class Simulation {
   void gatherWrenches(Group& group);
   void takeEvents(Group& group, double t);
   void advance(Group& group, double t_end, State& state);
+  void stepInParts(Group& group, double h);
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const State> initial_;
@@ -83,6 +88,7 @@ class Simulation {
   std::vector<Group> groups_;
   std::vector<std::size_t> group_of_;  // body -> index in groups_; of no account for a fixed body
   std::vector<BodyState> scratch_;
+  int most_parts_ = 1;
 };
 
 }  // namespace rigid_body_sim

@@ -11,7 +11,12 @@ struct PrincipalAxes {
 };
 
 /// Diagonalises a symmetric 3×3 matrix by cyclic Jacobi rotations. A matrix that is already
-/// diagonal to rounding keeps its axes up to their order. Deterministic.
+/// diagonal to rounding keeps its axes up to their order (and the sign that keeps them
+/// right-handed). Deterministic.
+///
+/// Accuracy: R_BP diag(I) R_BPᵀ is within 4 ulp of the greatest entry of the matrix, and the
+/// moments of a graded matrix (a needle along an axis) are each right to a few ulp of their own
+/// (Demmel & Veselić 1992). Of the halves of a matrix that is not quite symmetric, the mean counts.
 /// Source: Rotenberg, "Rigid Body Motion", symmetric Jacobi; Golub & Van Loan, 4th ed., 8.5.
 PrincipalAxes principalAxes(const Matrix3d& symmetric);
 

@@ -76,7 +76,6 @@ struct Scene {
   std::string integrator = "auto";  ///< a name of the catalogue
   double tolerance = 1e-9;          ///< with auto; see SolverOptions
   double horizon = 10;              ///< [s] also how long `simulate` runs
-  int integrator_line = 0;
   std::vector<BodyDef> bodies;
   std::vector<WrenchDef> wrenches;
 };

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <rigid_body_sim/dynamics/catalogue.hpp>
+#include <rigid_body_sim/dynamics/world.hpp>
+#include <rigid_body_sim/dynamics/wrench_schedule.hpp>
+
+namespace rigid_body_sim {
+
+/// A row of the catalogue and the equal parts in which it takes each time step.
+struct MethodChoice {
+  const Method* method = nullptr;  ///< null: the motion is solved
+  int parts = 1;
+  double error = 0;   ///< what the trial found, as a share of the tolerance
+  bool holds = true;  ///< whether any row was found to hold the tolerance
+};
+
+/// The cheapest row and number of parts with which bodies that act on one another hold the world's
+/// tolerance over its horizon, found by trying them from the given states on, against dop853 at
+/// steps so short that it agrees with itself. The cost is counted, not timed, so that the same
+/// scene always chooses the same. most_body_steps: bounds the work of one trial; a trial cut short
+/// must do better by the square of what it was cut, since attitude errors grow up to quadratically.
+MethodChoice chooseMethod(const World& world, const std::vector<std::size_t>& members,
+                          const State& state, const std::vector<WrenchSchedule>& schedules,
+                          double most_body_steps);
+
+}  // namespace rigid_body_sim

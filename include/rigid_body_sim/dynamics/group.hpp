@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/choose_method.hpp>
+#include <rigid_body_sim/dynamics/solved_motion.hpp>
+#include <rigid_body_sim/dynamics/world.hpp>
+#include <rigid_body_sim/dynamics/wrench_schedule.hpp>
+
+namespace rigid_body_sim {
+
+/// Bodies that act on one another, advanced together: solved where that is possible and asked for,
+/// else stepped by a method.
+class Group {
+ public:
+  /// members: indices in the world, ascending; one only where the motion is to be solved. The world
+  /// must outlive the group and its copies.
+  Group(const World& world, std::vector<std::size_t> members, const MethodChoice& choice);
+
+  const MethodChoice& choice() const { return choice_; }
+
+  const std::vector<std::size_t>& members() const { return members_; }
+
+  /// Takes what starts and ends at time t into account; to be called after every change of the
+  /// schedules or states from outside. schedules: one per body of the world.
+  void restart(double t, std::vector<WrenchSchedule>& schedules);
+
+  /// Advances the members' states among those of all bodies from t to t_end, split at every instant
+  /// at which a wrench starts or ends. Throws StepTooLong.
+  void advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
+               std::vector<BodyState>& bodies);
+
+  /// The most parts that a step was taken in so far, because a body turned faster than the method
+  /// follows in one; 1 when none was.
+  int mostParts() const { return most_parts_; }
+
+  /// Evaluations of all wrenches so far.
+  std::int64_t evaluations() const { return workspace_.evaluations; }
+
+ private:
+  void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
+  void solve(double t, double t_end);
+  void stepInParts(double h);
+
+  std::vector<std::size_t> members_;
+  MethodChoice choice_;
+  System system_;
+  Workspace workspace_;
+  std::vector<BodyState> states_;       // of the members, while they are advanced
+  std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
+  int most_parts_ = 1;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include <rigid_body_sim/dynamics/free_flight.hpp>
+#include <rigid_body_sim/dynamics/taylor_segment.hpp>
+
+namespace rigid_body_sim {
+
+/// The motion of one body under wrenches that are constant in the world or in the body, solved from
+/// an anchor on: a free flight where there is no torque, else a Taylor segment.
+class SolvedMotion {
+ public:
+  /// Anchors the motion at a state of time t [s].
+  SolvedMotion(const Body& body, const HeldWrench& wrench, const Vector3d& g_W, double t,
+               const BodyState& state);
+
+  /// [s] the time up to which the solution holds; NaN where the motion is not finite.
+  double validUntil() const;
+
+  /// The state at a time [s] between the anchor and validUntil().
+  BodyState at(double t) const;
+
+ private:
+  using TaylorPointer = std::shared_ptr<const TaylorSegment>;  // never changed: copies share it
+
+  double anchor_;
+  std::variant<FreeFlight, TaylorPointer> motion_;
+};
+
+}  // namespace rigid_body_sim

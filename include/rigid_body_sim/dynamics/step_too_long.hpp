@@ -1,0 +1,13 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace rigid_body_sim {
+
+/// A step over which a method cannot follow the motion, in whatever parts.
+class StepTooLong : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include <rigid_body_sim/dynamics/body.hpp>
+#include <rigid_body_sim/dynamics/held_wrench.hpp>
+#include <rigid_body_sim/dynamics/state.hpp>
+#include <rigid_body_sim/dynamics/step_too_long.hpp>
+
+namespace rigid_body_sim {
+
+/// The motion of one body from a start on, under a wrench that stays constant in the world or in
+/// the body: its Taylor series about the start, to rounding for as long as validFor() says.
+///
+/// With such a wrench the equations are polynomial, so that each coefficient follows from those
+/// before it by sums of products, R being quadratic in q:
+///   q' = ½ q (0, ω),   I ω' = I ω × ω + tau_P + Rᵀ tau_W + Σ armᵢ × Rᵀ forceᵢ + …
+/// Source: Jorba and Zou, "A software package for the numerical integration of ODEs by means of
+/// high-order Taylor methods", Experimental Mathematics 14 (2005).
+/// T: the scalar, double or long double.
+template <class T>
+class TaylorSegmentT {
+ public:
+  /// Degree of the series. Measured: see doc/accuracy.md.
+  static constexpr int kOrder = 16;
+
+  /// g_W [m/s²]: uniform gravity. start.q_WP must be a unit quaternion.
+  TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
+                 const BodyStateT<T>& start);
+
+  /// [s] How long after its start the series holds to rounding. Infinite where the body does not
+  /// turn; NaN where the motion is not finite.
+  T validFor() const { return valid_for_; }
+
+  /// The state dt [s] after the start, 0 <= dt <= validFor(). At dt = 0 it is the start.
+  ///
+  /// L_W gains the time integral of the torque in world axes: for a couple fixed in the world that
+  /// is tau_W dt, to the bit, and otherwise a series of its own. Turning L_P into the world instead
+  /// would add the error of the attitude to L_W at every event, and break its balance with the
+  /// applied torque. L_P, p_W and x_W likewise gain an increment, so that what does not change
+  /// keeps its bits; the position takes it into its low part first.
+  BodyStateT<T> at(T dt) const;
+
+ private:
+  using Array4 = Eigen::Array<T, 4, 1>;  // four lanes, of which vectors use three
+  using Series = std::array<Array4, kOrder + 1>;
+  struct Equations;
+
+  template <bool kTurned, bool kPulled>
+  void expand(const Equations& equations, T time_unit);
+
+  BodyStateT<T> start_;
+  Vector3<T> I_;
+  T inv_mass_;
+  Vector3<T> f_W_;          // [N] constant part of the force, with gravity
+  Vector3<T> a_W_;          // [m/s²] constant part of the acceleration
+  Vector3<T> tau_W_;        // [N m] constant part of the torque in world axes
+  bool body_force_;         // whether momentum_ and displacement_ are there
+  bool body_torque_;        // whether angular_impulse_ is there
+  T rate_unit_;             // [1/s] power of two; the series are in s = rate_unit_ dt
+  T valid_for_;             // [s]
+  Series w_;                // [rate unit] angular velocity, principal axes
+  Series q_;                // attitude
+  Series momentum_;         // [N s] of the force fixed in the body, world axes
+  Series displacement_;     // [m] due to it
+  Series angular_impulse_;  // [N m s] of the torque beyond tau_W, world axes
+};
+
+using TaylorSegment = TaylorSegmentT<double>;
+
+/// The state a duration [s] >= 0 later, over as many segments as it takes. Throws StepTooLong where
+/// a million would not do.
+template <class T>
+BodyStateT<T> advanceTaylor(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
+                            BodyStateT<T> state, T duration) {
+  constexpr int kMostSegments = 1000000;
+  T left = duration;
+  for (int count = 0; count < kMostSegments; ++count) {
+    const TaylorSegmentT<T> segment(body, wrench, g_W, state);
+    if (!(segment.validFor() < left)) return segment.at(left);
+    state = segment.at(segment.validFor());
+    left -= segment.validFor();
+  }
+  throw StepTooLong("the motion is too fast to be followed");
+}
+
+extern template class TaylorSegmentT<double>;
+extern template class TaylorSegmentT<long double>;
+
+}  // namespace rigid_body_sim

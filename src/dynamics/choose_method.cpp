@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <rigid_body_sim/dynamics/choose_method.hpp>
+#include <rigid_body_sim/dynamics/group.hpp>
+
+namespace rigid_body_sim {
+namespace {
+
+/// Bodies at some instants of a run.
+using Track = std::vector<std::vector<BodyState>>;
+
+/// A trial of every row from the same start.
+class Trial {
+ public:
+  Trial(const World& world, const std::vector<std::size_t>& members, const State& state,
+        const std::vector<WrenchSchedule>& schedules, double most_body_steps)
+      : world_(world), members_(members), start_(state), schedules_(schedules) {
+    const double h = world.solver.time_step;
+    const double wanted = std::max(1.0, std::ceil(world.solver.horizon / h));
+    const double affordable =
+        std::max(8.0, std::floor(most_body_steps / static_cast<double>(members.size())));
+    steps_ = static_cast<int>(std::min(wanted, affordable));
+    const double share = steps_ / wanted;
+    tolerance_ = world.solver.tolerance * std::min(1.0, share * share);
+  }
+
+  /// Nothing where the method cannot follow.
+  std::optional<Track> run(const Method& method, int parts) const {
+    constexpr int kInstants = 16;
+    Group group(world_, members_, {&method, parts});
+    std::vector<WrenchSchedule> schedules = schedules_;
+    std::vector<BodyState> bodies = start_.bodies;
+    group.restart(start_.t, schedules);
+    Track track;
+    try {
+      for (int i = 0; i < steps_; ++i) {
+        group.advance(time(i), time(i + 1), schedules, bodies);
+        if ((i + 1) * kInstants / steps_ > i * kInstants / steps_)
+          track.push_back(membersOf(bodies));
+      }
+    } catch (const StepTooLong&) {
+      return std::nullopt;
+    }
+    return track;
+  }
+
+  /// The worst error of attitude [rad], and of position relative to the path flown, as a share of
+  /// the tolerance.
+  double error(const Track& track, const Track& truth) const {
+    double worst = 0;
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+      double path = 0;
+      Vector3d last = start_.bodies[members_[k]].x_W;
+      for (std::size_t i = 0; i < truth.size(); ++i) {
+        path += (truth[i][k].x_W - last).norm();
+        last = truth[i][k].x_W;
+        const double gap = (track[i][k].x_W - truth[i][k].x_W).norm();
+        const double attitude = angleBetween(track[i][k].q_WP, truth[i][k].q_WP);
+        if (!std::isfinite(gap + attitude)) return std::numeric_limits<double>::infinity();
+        worst = std::max({worst, attitude, path > 0 ? gap / path : gap});
+      }
+    }
+    return worst / tolerance_;
+  }
+
+ private:
+  double time(int step) const { return start_.t + step * world_.solver.time_step; }
+
+  std::vector<BodyState> membersOf(const std::vector<BodyState>& bodies) const {
+    std::vector<BodyState> states;
+    for (std::size_t body : members_) states.push_back(bodies[body]);
+    return states;
+  }
+
+  const World& world_;
+  const std::vector<std::size_t>& members_;
+  const State& start_;
+  const std::vector<WrenchSchedule>& schedules_;
+  int steps_ = 1;
+  double tolerance_ = 0;
+};
+
+/// dop853 in more and more parts until it agrees with itself to a hundredth of the tolerance, or no
+/// better: the last is the truth that the rows are held against.
+std::optional<Track> truthOf(const Trial& trial) {
+  constexpr int kMostParts = 256;
+  const Method& dop853 = methodNamed("dop853");
+  std::optional<Track> last;
+  double last_error = std::numeric_limits<double>::infinity();
+  for (int parts = 1; parts <= kMostParts; parts *= 2) {
+    std::optional<Track> track = trial.run(dop853, parts);
+    if (track && last) {
+      const double error = trial.error(*last, *track);
+      if (error < 0.01 || (error < 1 && error >= last_error)) return track;
+      last_error = error;
+    }
+    last = std::move(track);
+  }
+  return last;
+}
+
+}  // namespace
+
+MethodChoice chooseMethod(const World& world, const std::vector<std::size_t>& members,
+                          const State& state, const std::vector<WrenchSchedule>& schedules,
+                          double most_body_steps) {
+  constexpr double kMargin = 0.5;  // of the tolerance: the truth is itself a computed motion
+  const Trial trial(world, members, state, schedules, most_body_steps);
+  const std::optional<Track> truth = truthOf(trial);
+  MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), false};
+  if (!truth) return best;
+  double best_cost = std::numeric_limits<double>::infinity();
+  // from the highest order down: what holds a tight tolerance bounds the cost of the others early
+  for (auto row = catalogue().rbegin(); row != catalogue().rend(); ++row) {
+    if (!row->claims_to(kTakesCoupling)) continue;
+    double last_error = std::numeric_limits<double>::infinity();
+    for (int parts = 1; parts * row->cost < best_cost; parts *= 2) {
+      const std::optional<Track> track = trial.run(*row, parts);
+      const double error = track ? trial.error(*track, *truth) : last_error;
+      const bool holds = error <= kMargin;
+      if (holds || (!best.holds && error < best.error)) best = {&*row, parts, error, holds};
+      if (holds) best_cost = parts * row->cost;
+      // rounding has the better of the shorter step, or the row cannot get there
+      if (holds || parts >= 256 || (error < 1e3 && error > last_error / 1.5)) break;
+      last_error = error;
+    }
+  }
+  return best;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include <rigid_body_sim/dynamics/group.hpp>
+
+namespace rigid_body_sim {
+
+Group::Group(const World& world, std::vector<std::size_t> members, const MethodChoice& choice)
+    : members_(std::move(members)), choice_(choice), states_(members_.size()) {
+  system_.g_W = world.g_W;
+  for (std::size_t body : members_) system_.bodies.push_back(&world.bodies[body]);
+}
+
+void Group::restart(double t, std::vector<WrenchSchedule>& schedules) {
+  for (std::size_t body : members_) schedules[body].advanceTo(t);
+  gatherWrenches(schedules);
+}
+
+void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
+                    std::vector<BodyState>& bodies) {
+  for (std::size_t k = 0; k < members_.size(); ++k) states_[k] = bodies[members_[k]];
+
+  while (t < t_end) {
+    // up to the next event, or to the end
+    double t_next = t_end;
+    for (std::size_t body : members_) t_next = std::min(t_next, schedules[body].nextEvent());
+    if (t_next > t && choice_.method) stepInParts(t_next - t);
+    if (t_next > t && !choice_.method) solve(t, t_next);
+    t = t_next;
+
+    // what starts and ends there
+    bool changed = false;
+    for (std::size_t body : members_) changed |= schedules[body].advanceTo(t);
+    if (changed) gatherWrenches(schedules);
+  }
+
+  for (std::size_t k = 0; k < members_.size(); ++k) bodies[members_[k]] = states_[k];
+}
+
+void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
+  const auto localIndex = [this](std::size_t body) {
+    if (body == kWorld) return kWorld;
+    const auto it = std::lower_bound(members_.begin(), members_.end(), body);
+    return static_cast<std::size_t>(it - members_.begin());
+  };
+  system_.held.assign(members_.size(), HeldWrench());
+  system_.coupled.clear();
+  for (std::size_t body : members_) {
+    for (AppliedWrench wrench : schedules[body].active()) {
+      wrench.body = localIndex(wrench.body);
+      wrench.axes = localIndex(wrench.axes);
+      wrench.point_frame = localIndex(wrench.point_frame);
+      if (HeldWrench::holds(wrench))
+        system_.held[wrench.body].add(wrench);
+      else
+        system_.coupled.push_back(wrench);
+    }
+  }
+  workspace_.wrenches_current = false;
+  solved_.reset();
+}
+
+/// Evaluates the solution at t_end, anchored anew where a series ends and, after an event, at t.
+void Group::solve(double t, double t_end) {
+  constexpr int kMostSegments = 1000000;
+  const auto anchor = [this](double at) {
+    solved_.emplace(*system_.bodies[0], system_.held[0], system_.g_W, at, states_[0]);
+  };
+  if (!solved_) anchor(t);
+  for (int segments = 0; !(solved_->validUntil() >= t_end); ++segments) {
+    const double t_valid = solved_->validUntil();
+    if (!(t_valid > t) || segments == kMostSegments)
+      throw StepTooLong("the motion is too fast to be followed");
+    states_[0] = solved_->at(t_valid);
+    anchor(t_valid);
+    t = t_valid;
+  }
+  states_[0] = solved_->at(t_end);
+}
+
+/// One step of the method, or as many as it takes for it to follow the turn of the fastest body.
+void Group::stepInParts(double h) {
+  double turn = 0;
+  for (std::size_t k = 0; k < states_.size(); ++k)
+    turn = std::max(turn, h * angularVelocity(system_.bodies[k]->inv_I, states_[k].L_P).norm());
+  const Method& method = *choice_.method;
+  const double needed = std::ceil(turn / method.most_turn);
+  const double parts = std::max(static_cast<double>(choice_.parts), needed);
+  constexpr double kMostParts = 1e5;
+  if (!(parts <= kMostParts)) {
+    std::ostringstream reason;
+    reason << "a step turns the body by " << turn << " rad, more than " << method.name
+           << " follows in " << kMostParts << " parts";
+    throw StepTooLong(reason.str());
+  }
+  if (needed > choice_.parts) most_parts_ = std::max(most_parts_, static_cast<int>(needed));
+  for (int k = 0; k < static_cast<int>(parts); ++k)
+    method.step(system_, h / parts, states_, workspace_);
+}
+
+}  // namespace rigid_body_sim

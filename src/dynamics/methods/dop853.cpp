@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+
+#include <rigid_body_sim/dynamics/catalogue.hpp>
+
+#include "dop853_coefficients.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using dop853::kStages;
+
+/// What a step got wrong by its embedded estimates, the greatest of all bodies: attitude [rad],
+/// angular momentum and momentum relative to their size and change, each by itself, so that a fast
+/// flight does not hide a bad attitude.
+double errorEstimate(double h, const std::vector<BodyState>& states,
+                     const std::vector<BodyStateDot>& dots) {
+  const std::size_t n = states.size();
+  double worst = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    BodyStateDot error5, error3;
+    for (std::size_t s = 0; s < kStages; ++s) {
+      accumulate(dots[s * n + i], dop853::kE5[s], error5);
+      accumulate(dots[s * n + i], dop853::kB[s], error3);
+    }
+    accumulate(dots[0 * n + i], -dop853::kB3_0, error3);
+    accumulate(dots[8 * n + i], -dop853::kB3_8, error3);
+    accumulate(dots[11 * n + i], -dop853::kB3_11, error3);
+    const auto combined = [h](double e5, double e3) {
+      const double size = std::hypot(e5, 0.1 * e3);
+      return size > 0 ? h * e5 * (e5 / size) : 0.0;
+    };
+    const auto relative = [](double e, double scale) { return e > 0 ? e / scale : 0.0; };
+    const double L = states[i].L_P.norm() + h * dots[i].L_dot_P.norm();
+    const double p = states[i].p_W.norm() + h * dots[i].p_dot_W.norm();
+    worst = std::max({worst, 2 * combined(error5.q_dot.norm(), error3.q_dot.norm()),
+                      relative(combined(error5.L_dot_P.norm(), error3.L_dot_P.norm()), L),
+                      relative(combined(error5.p_dot_W.norm(), error3.p_dot_W.norm()), p)});
+  }
+  return worst;
+}
+
+/// The rates at all stages of a step of h, stage by stage.
+void evaluateStages(const System& system, double h, const std::vector<BodyState>& states,
+                    Workspace& workspace) {
+  const std::size_t n = states.size();
+  std::vector<BodyStateDot>& dots = workspace.dots;
+  dots.resize(kStages * n);
+  for (std::size_t stage = 0; stage < kStages; ++stage) {
+    workspace.stages = states;
+    for (std::size_t i = 0; i < n; ++i) {
+      BodyStateDot sum;
+      for (std::size_t s = 0; s < stage; ++s)
+        accumulate(dots[s * n + i], dop853::kA[stage][s], sum);
+      if (stage > 0) workspace.stages[i] = stagePoint(states[i], sum, h);
+    }
+    evaluateWrenches(system, workspace.stages, workspace);
+    for (std::size_t i = 0; i < n; ++i)
+      dots[stage * n + i] = stateDot(*system.bodies[i], workspace.stages[i], workspace.wrenches[i]);
+  }
+}
+
+void endStep(double h, const std::vector<BodyStateDot>& dots, std::vector<BodyState>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    BodyStateDot sum;
+    for (std::size_t s = 0; s < kStages; ++s)
+      accumulate(dots[s * states.size() + i], dop853::kB[s], sum);
+    states[i] = stepEnd(states[i], sum, h);
+  }
+}
+
+}  // namespace
+
+// One step of order 8; in equal parts where its own estimate says that it cannot follow so long a
+// step.
+void dop853Step(const System& system, double h, std::vector<BodyState>& states,
+                Workspace& workspace) {
+  constexpr double kFollowed = 1e-4;  // [rad, relative] beyond it, the estimate means failure
+  constexpr int kMostParts = 1 << 12;
+  const std::vector<BodyState> start = states;
+  for (int parts = 1; parts <= kMostParts; parts *= 2) {
+    const double part = h / parts;
+    int done = 0;
+    for (; done < parts; ++done) {
+      evaluateStages(system, part, states, workspace);
+      // not (error <= limit), so that a step to infinity is parted too
+      if (!(errorEstimate(std::abs(part), states, workspace.dots) <= kFollowed)) break;
+      endStep(part, workspace.dots, states);
+    }
+    if (done == parts) {
+      workspace.wrenches_current = false;
+      return;
+    }
+    states = start;
+  }
+  throw StepTooLong("dop853 cannot follow the motion, even in 4096 parts of a step");
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+
+#include <rigid_body_sim/dynamics/catalogue.hpp>
+#include <rigid_body_sim/dynamics/free_motion.hpp>
+
+/// Methods made of kicks (impulses at fixed place and attitude) and drifts (motion without
+/// wrenches) in turn. They differ in their coefficients and in how the rotation drifts.
+namespace rigid_body_sim::methods {
+
+/// Fractions of the step; kicks and drifts each sum to 1.
+template <std::size_t kDrifts>
+struct KickDriftKick {
+  std::array<double, kDrifts + 1> kicks;
+  std::array<double, kDrifts> drifts;
+};
+
+template <std::size_t kKicks>
+struct DriftKickDrift {
+  std::array<double, kKicks + 1> drifts;
+  std::array<double, kKicks> kicks;
+};
+
+/// The composition of Strang steps of lengths gamma: neighbouring half kicks are one kick.
+template <std::size_t kSteps>
+constexpr KickDriftKick<kSteps> composition(const std::array<double, kSteps>& gamma) {
+  KickDriftKick<kSteps> result{};
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    result.drifts[i] = gamma[i];
+    result.kicks[i] += 0.5 * gamma[i];
+    result.kicks[i + 1] += 0.5 * gamma[i];
+  }
+  return result;
+}
+
+inline void kickAll(double h, const std::vector<Wrench>& wrenches, std::vector<BodyState>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i)
+    kick(wrenches[i].f_W, wrenches[i].tau_W, wrenches[i].tau_P, h, states[i]);
+}
+
+/// One step. The wrenches at its end are those at the start of the next, so that each drift costs
+/// one evaluation. drift(body, h, state) turns and moves a body without wrenches.
+template <std::size_t kDrifts, class Drift>
+void kickDriftKick(const KickDriftKick<kDrifts>& method, const Drift& drift, const System& system,
+                   double h, std::vector<BodyState>& states, Workspace& workspace) {
+  if (!workspace.wrenches_current) evaluateWrenches(system, states, workspace);
+  for (std::size_t k = 0; k < kDrifts; ++k) {
+    kickAll(method.kicks[k] * h, workspace.wrenches, states);
+    for (std::size_t i = 0; i < states.size(); ++i)
+      drift(*system.bodies[i], method.drifts[k] * h, states[i]);
+    evaluateWrenches(system, states, workspace);
+  }
+  kickAll(method.kicks[kDrifts] * h, workspace.wrenches, states);
+  workspace.wrenches_current = true;
+}
+
+/// One step that begins and ends with a drift.
+template <std::size_t kKicks, class Drift>
+void driftKickDrift(const DriftKickDrift<kKicks>& method, const Drift& drift, const System& system,
+                    double h, std::vector<BodyState>& states, Workspace& workspace) {
+  const auto driftAll = [&](double step) {
+    for (std::size_t i = 0; i < states.size(); ++i) drift(*system.bodies[i], step, states[i]);
+  };
+  for (std::size_t k = 0; k < kKicks; ++k) {
+    driftAll(method.drifts[k] * h);
+    evaluateWrenches(system, states, workspace);
+    kickAll(method.kicks[k] * h, workspace.wrenches, states);
+  }
+  driftAll(method.drifts[kKicks] * h);
+  workspace.wrenches_current = false;
+}
+
+/// Free motion with the rotation split into three rotations: second order, symplectic, reversible.
+struct SplitDrift {
+  void operator()(const Body& body, double h, BodyState& s) const {
+    driftPosition(body.mass, h, s);
+    driftRotation(body.split, h, s);
+  }
+};
+
+}  // namespace rigid_body_sim::methods

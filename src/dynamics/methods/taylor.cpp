@@ -1,0 +1,16 @@
+#include <rigid_body_sim/dynamics/catalogue.hpp>
+#include <rigid_body_sim/dynamics/taylor_segment.hpp>
+
+namespace rigid_body_sim {
+
+// Each body by Taylor segments of its own. The wrenches enter the series once a segment, which is
+// counted as one evaluation a step.
+void taylorStep(const System& system, double h, std::vector<BodyState>& states,
+                Workspace& workspace) {
+  for (std::size_t i = 0; i < states.size(); ++i)
+    states[i] = advanceTaylor(*system.bodies[i], system.held[i], system.g_W, states[i], h);
+  ++workspace.evaluations;
+  workspace.wrenches_current = false;
+}
+
+}  // namespace rigid_body_sim

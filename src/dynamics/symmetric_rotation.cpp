@@ -1,0 +1,37 @@
+#include <rigid_body_sim/dynamics/symmetric_rotation.hpp>
+
+namespace rigid_body_sim {
+
+template <class T>
+RotationState<T> SteadyRotation<T>::at(T dt) const {
+  return {product(start_.q_WP, rotationAbout<T>(axis_P_, rate_ * Wide<T>(dt))), start_.L_P};
+}
+
+template <class T>
+SymmetricRotation<T>::SymmetricRotation(const ScaledInertia<T>& inertia, const Quaternion<T>& q_WP,
+                                        const Vector3<T>& L_P)
+    : start_{q_WP, L_P}, k_(inertia.I21 > Wide<T>(0) ? 0 : 2) {
+  using std::sqrt;
+  const Vector3<Wide<T>> m = L_P.template cast<Wide<T>>() / Wide<T>(L_P.cwiseAbs().maxCoeff());
+  const Wide<T> rate = Wide<T>(L_P.cwiseAbs().maxCoeff()) / inertia.unit;
+  const Wide<T> norm = sqrt(m.squaredNorm());
+  direction_P_ = (m / norm).template cast<T>();
+  // 1/I_k − 1/I_t = ±I31/(I1 I3), from the difference of the moments, which is exact
+  const Wide<T> sign(k_ == 0 ? 1 : -1);
+  precession_rate_ = rate * norm / inertia.I2;
+  spin_rate_ = rate * m(k_) * sign * inertia.I31 / (inertia.I1 * inertia.I3);
+}
+
+template <class T>
+RotationState<T> SymmetricRotation<T>::at(T dt) const {
+  const Quaternion<T> precession = rotationAbout<T>(direction_P_, precession_rate_ * Wide<T>(dt));
+  const Quaternion<T> spin = rotationAbout<T>(Vector3<T>::Unit(k_), spin_rate_ * Wide<T>(dt));
+  return {product(start_.q_WP, product(precession, spin)), rotateBack(spin, start_.L_P)};
+}
+
+template class SteadyRotation<double>;
+template class SteadyRotation<long double>;
+template class SymmetricRotation<double>;
+template class SymmetricRotation<long double>;
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,26 @@
+#include "message_text.hpp"
+
+#include <algorithm>
+
+namespace rigid_body_sim {
+
+std::string printable(const std::string& text) {
+  constexpr std::size_t kMaxLength = 60;
+  const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  std::string line = text.substr(0, kMaxLength);
+  std::replace_if(line.begin(), line.end(), isControl, '?');
+  return text.size() > kMaxLength ? line + "..." : line;
+}
+
+std::string nameList(const std::vector<std::string>& names) {
+  constexpr std::size_t kMaxNames = 10;
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) list += ", ";
+    if (i == kMaxNames) return list + "...";
+    list += names[i];
+  }
+  return list;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rigid_body_sim {
+
+/// Text from outside, fit for a message of one line: control characters become ?, and what is
+/// longer than 60 bytes is cut.
+std::string printable(const std::string& text);
+
+/// "a, b, c"; cut short after the first ten.
+std::string nameList(const std::vector<std::string>& names);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,100 @@
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "scene_texts.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+std::string loadErrorOf(const std::string& path) {
+  try {
+    loadScene(path);
+  } catch (const SceneError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(SceneFile, IsRefusedWhenAbsent) {
+  EXPECT_EQ(loadErrorOf("absent/x.yaml"),
+            "absent/x.yaml: cannot be opened: No such file or directory");
+}
+
+TEST(SceneFile, IsRefusedWhenADirectory) {
+  EXPECT_EQ(loadErrorOf("/"), "/: is a directory, not a scene file");
+}
+
+TEST(SceneFile, IsRefusedWhenLargerThan16MiB) {
+  const std::string path = testing::TempDir() + "rigid_body_sim_large.yaml";
+  std::ofstream(path) << std::string((16 << 20) + 1, '#');
+  EXPECT_EQ(loadErrorOf(path), path + ": is larger than 16 MiB");
+  std::filesystem::remove(path);
+}
+
+TEST(SceneFile, IsNamedInItsErrors) {
+  const std::string path = testing::TempDir() + "rigid_body_sim_bad.yaml";
+  std::ofstream(path) << boxScene("    fixed: yes\n");
+  EXPECT_EQ(loadErrorOf(path), path + ":6: body 'box': fixed must be true or false, got yes");
+  std::filesystem::remove(path);
+}
+
+TEST(SceneText, IsRefusedWhenEmpty) {
+  EXPECT_EQ(errorOf(""), "s.yaml: is empty; a scene is a YAML mapping");
+  EXPECT_EQ(errorOf("# only a comment\n"), "s.yaml: is empty; a scene is a YAML mapping");
+  EXPECT_EQ(errorOf("---\n"), "s.yaml:2: a mapping is expected, got nothing");
+}
+
+TEST(SceneText, IsRefusedWhenNotYaml) {
+  EXPECT_EQ(errorOf("time_step: 0.01\nbodies: [}\n"), "s.yaml:2: not YAML: illegal flow end");
+  EXPECT_EQ(errorOf("a: b: c\n"), "s.yaml:1: not YAML: illegal map value");
+}
+
+TEST(SceneText, IsRefusedWhenNotAMapping) {
+  EXPECT_EQ(errorOf("hello\n"), "s.yaml:1: a mapping is expected, got hello");
+  EXPECT_EQ(errorOf("- 1\n- [2]\n"), "s.yaml:1: a mapping is expected, got [1, [2]]");
+}
+
+TEST(SceneText, IsOneDocument) {
+  EXPECT_EQ(errorOf(boxScene("---\na: 1\n")),
+            "s.yaml:6: a second YAML document; a scene file holds one");
+}
+
+TEST(SceneText, HasNoAnchorsAliasesOrTags) {
+  const std::string refusal = "YAML anchors (&) and aliases (*) are not allowed in a scene";
+  EXPECT_EQ(errorOf("gravity: &g [0, 0, 1]\n"), "s.yaml:1: " + refusal);
+  EXPECT_EQ(errorOf("a: &x 1\nb: *x\n"), "s.yaml:1: " + refusal);
+  EXPECT_EQ(errorOf("time_step: !!float 1\n"),
+            "s.yaml:1: YAML tags are not allowed in a scene, got tag:yaml.org,2002:float");
+}
+
+TEST(SceneText, RepeatsNoKey) {
+  EXPECT_EQ(errorOf("time_step: 0.01\ntime_step: 0.02\n"), "s.yaml:2: key 'time_step' is repeated");
+  EXPECT_EQ(errorOf(boxScene("    mass: 2\n")), "s.yaml:6: key 'mass' is repeated");
+}
+
+TEST(SceneText, HasWordsForKeys) {
+  EXPECT_EQ(errorOf("[1, 2]: 3\n"), "s.yaml:1: a key must be a word");
+  EXPECT_EQ(errorOf("~: 3\n"), "s.yaml:1: a key must be a word");
+}
+
+TEST(SceneText, IsRefusedWhenNestedTooDeep) {
+  const auto nested = [](std::size_t levels) {
+    return "gravity: " + std::string(levels, '[') + "1" + std::string(levels, ']');
+  };
+  EXPECT_EQ(errorOf(nested(31)), "s.yaml:1: missing key 'time_step'");
+  EXPECT_EQ(errorOf(nested(32)), "s.yaml:1: nested deeper than 32 levels");
+  EXPECT_EQ(errorOf(nested(100000)), "s.yaml:1: nested deeper than 32 levels");
+}
+
+TEST(SceneText, IsQuotedOnOneLineHoweverLong) {
+  const std::string error =
+      errorOf("time_step: \"a\\nb" + std::string(1000, 'x') + "\"\nbodies: []\n");
+  EXPECT_EQ(error,
+            "s.yaml:1: time_step must be a number [s], got \"a?b" + std::string(57, 'x') + "...\"");
+}
+
+}  // namespace rigid_body_sim

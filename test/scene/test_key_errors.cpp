@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/dynamics/catalogue.hpp>
+
+#include "scene_texts.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// The scene of one body in which that body has just these lines, from line 3.
+std::string bodyScene(const std::string& lines) { return "time_step: 0.01\nbodies:\n" + lines; }
+
+std::string boxError(const std::string& more) { return errorOf(boxScene(more)); }
+
+const std::string kAt = "s.yaml:6: body 'box': ";
+
+}  // namespace
+
+TEST(SceneKeys, MustBeKnown) {
+  EXPECT_EQ(errorOf("timestep: 1\n"),
+            "s.yaml:1: unknown key 'timestep' (known: world_frame, gravity, time_step, integrator, "
+            "tolerance, horizon, bodies, wrenches)");
+  EXPECT_EQ(boxError("    mas: 1\n"),
+            kAt +
+                "unknown key 'mas' (known: name, shape, mass, density, inertia, center_of_mass, "
+                "position, orientation, twist, points, fixed, visual)");
+  EXPECT_EQ(boxError("    twist: {fram: world}\n"),
+            kAt + "unknown key 'twist.fram' (known: frame, linear, angular)");
+  EXPECT_EQ(boxError("    points: {a: {pos: [0, 0, 0]}}\n"),
+            kAt + "unknown key 'points.a.pos' (known: position, orientation)");
+  EXPECT_EQ(boxError("    visual: {colour: 1}\n"),
+            kAt + "unknown key 'visual.colour' (known: mesh, color)");
+  EXPECT_EQ(boxError("wrenches:\n  - {bodi: box}\n"),
+            "s.yaml:7: wrenches[0]: unknown key 'bodi' (known: body, point, point_frame, frame, "
+            "force, torque, start, duration)");
+  EXPECT_EQ(errorOf(bodyScene("  - name: a\n    shape: {cube: 1}\n")),
+            "s.yaml:4: body 'a': unknown key 'shape.cube' (known: box, sphere, cylinder, capsule, "
+            "ellipsoid, cone)");
+}
+
+TEST(SceneKeys, MustBeThere) {
+  EXPECT_EQ(errorOf("bodies: []\n"), "s.yaml:1: missing key 'time_step'");
+  EXPECT_EQ(errorOf("time_step: 1\n"), "s.yaml:1: missing key 'bodies'");
+  EXPECT_EQ(errorOf(bodyScene("  - mass: 1\n")), "s.yaml:3: bodies[0]: missing key 'name'");
+  EXPECT_EQ(boxError("    twist: {linear: [0, 0, 0]}\n"), kAt + "missing key 'twist.frame'");
+  EXPECT_EQ(boxError("wrenches:\n  - {body: box, duration: 1}\n"),
+            "s.yaml:7: wrenches[0]: missing key 'frame'");
+  EXPECT_EQ(boxError("wrenches:\n  - {body: box, frame: box}\n"),
+            "s.yaml:7: wrenches[0]: missing key 'duration'");
+  EXPECT_EQ(errorOf(bodyScene("  - name: a\n    shape: {cylinder: {radius: 1}}\n")),
+            "s.yaml:4: body 'a': missing key 'shape.cylinder.length'");
+}
+
+TEST(SceneKeys, SayOnceWhatABodyIsMadeOf) {
+  const std::string box = "  - name: a\n    shape: {box: [1, 1, 1]}\n";
+  const std::string given = "  - name: a\n    inertia: {ixx: 1, iyy: 1, izz: 1}\n";
+  EXPECT_EQ(errorOf(bodyScene("  - name: a\n")),
+            "s.yaml:3: body 'a': missing what the body is made of: shape, with mass or density; or "
+            "mass and inertia");
+  EXPECT_EQ(errorOf(bodyScene(box)),
+            "s.yaml:3: body 'a': missing key 'mass' or 'density' of the shape");
+  EXPECT_EQ(errorOf(bodyScene(box + "    mass: 1\n    density: 1\n")),
+            "s.yaml:6: body 'a': density cannot stand beside mass");
+  EXPECT_EQ(boxError("    inertia: {ixx: 1, iyy: 1, izz: 1}\n"),
+            kAt + "inertia cannot stand beside shape, which gives it");
+  EXPECT_EQ(boxError("    center_of_mass: [0, 0, 0]\n"),
+            kAt + "center_of_mass cannot stand beside shape, which gives it");
+  EXPECT_EQ(errorOf(bodyScene(given)), "s.yaml:3: body 'a': missing key 'mass'");
+  EXPECT_EQ(errorOf(bodyScene(given + "    density: 1\n")),
+            "s.yaml:5: body 'a': density needs a shape");
+  EXPECT_EQ(errorOf(bodyScene("  - name: a\n    shape: {}\n")),
+            "s.yaml:4: body 'a': shape must name one shape, got 0");
+  EXPECT_EQ(errorOf(bodyScene(
+                "  - name: a\n    shape: {box: [1, 1, 1], sphere: {radius: 1}}\n    mass: 1\n")),
+            "s.yaml:4: body 'a': shape must name one shape, got 2");
+}
+
+TEST(SceneKeys, TakeAToleranceWithAutoOnly) {
+  EXPECT_EQ(errorOf("integrator: rk4\ntolerance: 1e-6\n" + boxScene()),
+            "s.yaml:2: tolerance goes with integrator auto only, got integrator rk4");
+  EXPECT_EQ(errorOf("integrator: auto\ntolerance: 1e-6\n" + boxScene()), "");
+  EXPECT_EQ(errorOf("integrator: rk4\nhorizon: 3\n" + boxScene()), "");
+}
+
+TEST(SceneKeys, NameAnIntegratorOfTheCatalogue) {
+  for (const Method& method : catalogue())
+    EXPECT_EQ(errorOf("integrator: " + std::string(method.name) + "\n" + boxScene()), "");
+  const std::string error = errorOf("integrator: rk5\n" + boxScene());
+  EXPECT_EQ(error.substr(0, 42), "s.yaml:1: integrator must be one of auto, ");
+  EXPECT_EQ(error.substr(error.rfind(',')), ", got 'rk5'");
+  EXPECT_EQ(errorOf("integrator: [rk4]\n" + boxScene()),
+            "s.yaml:1: integrator must be a text, got [rk4]");
+}
+
+TEST(SceneNames, AreUnique) {
+  EXPECT_EQ(boxError("  - name: box\n    shape: {box: [1, 1, 1]}\n    mass: 1\n"),
+            "s.yaml:6: body 'box': name is taken, by the body on line 3");
+}
+
+TEST(SceneNames, DifferFromTheWorldFrame) {
+  EXPECT_EQ(errorOf(bodyScene("  - {name: world, shape: {sphere: {radius: 1}}, mass: 1}\n")),
+            "s.yaml:3: body 'world': 'world' is the world frame's name");
+  EXPECT_EQ(errorOf("world_frame: box/tip\n" + boxScene("    points: {tip: {}}\n")),
+            "s.yaml:7: body 'box': points.tip: 'box/tip' is the world frame's name");
+}
+
+TEST(SceneNames, AreWordsOfLettersDigitsAndUnderscores) {
+  for (const std::string name : {"1a", "_a", "a-b", "a/b", "\"a b\"", "\"\"", "\u00e9"})
+    EXPECT_EQ(errorOf(bodyScene("  - name: " + name + "\n")),
+              "s.yaml:3: bodies[0]: name must be a name [A-Za-z][A-Za-z0-9_]*, got " + name);
+  EXPECT_EQ(boxError("    points: {a-b: {}}\n"),
+            kAt + "points: 'a-b' must be a name [A-Za-z][A-Za-z0-9_]*");
+  EXPECT_EQ(errorOf("world_frame: /map\n" + boxScene()),
+            "s.yaml:1: world_frame must be a frame name [A-Za-z][A-Za-z0-9_]*, parts joined by /, "
+            "got /map");
+}
+
+}  // namespace rigid_body_sim

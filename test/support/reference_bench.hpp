@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "support/reference_motion.hpp"
+#include "support/worlds.hpp"
+
+/// The reference motion of a bench: the same wrenches, written anew in long double.
+namespace rigid_body_sim::test {
+
+namespace detail {
+
+inline reference::Load loadOf(const AppliedWrench& applied, const reference::Motions& m) {
+  using reference::Vector;
+  const auto turned = [&](const Vector3d& v) -> Vector {
+    const Vector wide = v.cast<reference::Real>();
+    return applied.axes == kWorld ? wide : Vector(m[applied.axes].R() * wide);
+  };
+  const Vector point = applied.point.cast<reference::Real>();
+  const Vector r_W = applied.point_frame == kWorld
+                         ? point
+                         : Vector(m[applied.point_frame].x + m[applied.point_frame].R() * point);
+  reference::Load load;
+  load.f_W = turned(applied.force);
+  load.tau_W = (r_W - m[applied.body].x).cross(load.f_W) + turned(applied.torque);
+  return load;
+}
+
+}  // namespace detail
+
+/// The motions after a duration, gravity and scheduled wrenches of the bench acting.
+inline reference::Motions referenceRun(const Bench& bench, double duration) {
+  std::vector<double> instants{duration};
+  for (const AppliedWrench& applied : bench.world.wrenches)
+    for (double t : {applied.start, applied.end})
+      if (t > 0 && t < duration) instants.push_back(t);
+  std::sort(instants.begin(), instants.end());
+
+  reference::Motions motions;
+  for (std::size_t i = 0; i < bench.world.bodies.size(); ++i)
+    motions.push_back(reference::toMotion(bench.world.bodies[i], bench.initial.bodies[i]));
+  double t = 0;
+  for (double next : instants) {
+    if (!(next > t)) continue;
+    const auto wrenches = [&](reference::Real, const reference::Motions& m) {
+      reference::Loads loads(m.size());
+      for (std::size_t i = 0; i < m.size(); ++i)
+        loads[i].f_W =
+            reference::Real(bench.world.bodies[i].mass) * bench.world.g_W.cast<reference::Real>();
+      for (const AppliedWrench& applied : bench.world.wrenches) {
+        if (applied.start > t || applied.end <= t) continue;
+        const reference::Load load = detail::loadOf(applied, m);
+        loads[applied.body].f_W += load.f_W;
+        loads[applied.body].tau_W += load.tau_W;
+      }
+      return loads;
+    };
+    motions = reference::advance(bench.world.bodies, wrenches, motions, t,
+                                 static_cast<reference::Real>(next) - t, 0.05L);
+    t = next;
+  }
+  return motions;
+}
+
+struct MotionErrors {
+  double attitude = 0;  ///< [rad] the worst of all bodies
+  double position = 0;  ///< [m]
+};
+
+inline MotionErrors motionErrors(const State& state, const reference::Motions& motions) {
+  MotionErrors worst;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const BodyState& s = state.bodies[i];
+    const reference::Vector gap =
+        s.x_W.cast<reference::Real>() + s.x_low_W.cast<reference::Real>() - motions[i].x;
+    worst.attitude =
+        std::max(worst.attitude, static_cast<double>(reference::attitudeError(s.q_WP, motions[i])));
+    worst.position = std::max(worst.position, static_cast<double>(gap.norm()));
+  }
+  return worst;
+}
+
+}  // namespace rigid_body_sim::test
