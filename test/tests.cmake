@@ -100,4 +100,12 @@ rigid_body_gtest(test_taylor
 rigid_body_gtest(test_rotor
   SOURCES
     test/dynamics/test_rotor.cpp
+    test/dynamics/test_rotor_laws.cpp
   LIBRARIES rigid_body_sim_core)
+
+# Boost and GSL are other people's elliptic functions to compare with; nothing else needs them.
+find_package(GSL REQUIRED)
+rigid_body_gtest(test_elliptic
+  SOURCES
+    test/math/test_elliptic.cpp
+  LIBRARIES rigid_body_sim_core GSL::gsl)
