@@ -7,10 +7,21 @@
 
 namespace rigid_body_sim {
 
-Group::Group(const World& world, std::vector<std::size_t> members, const MethodChoice& choice)
-    : members_(std::move(members)), choice_(choice), states_(members_.size()) {
+Group::Group(const World& world, const CoupledBodies& bodies, const MethodChoice& choice)
+    : members_(bodies.members), choice_(choice), states_(members_.size()) {
   system_.g_W = world.g_W;
-  for (std::size_t body : members_) system_.bodies.push_back(&world.bodies[body]);
+  for (std::size_t body : members_) {
+    system_.bodies.push_back(&world.bodies[body]);
+    system_.drags |= world.bodies[body].drag.any();
+  }
+  for (const auto& law : bodies.laws)
+    system_.laws.push_back(law->renamed([this](std::size_t body) { return localIndex(body); }));
+}
+
+std::size_t Group::localIndex(std::size_t body) const {
+  if (body == kWorld) return kWorld;
+  const auto it = std::lower_bound(members_.begin(), members_.end(), body);
+  return static_cast<std::size_t>(it - members_.begin());
 }
 
 void Group::restart(double t, std::vector<WrenchSchedule>& schedules) {
@@ -40,11 +51,6 @@ void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedul
 }
 
 void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
-  const auto localIndex = [this](std::size_t body) {
-    if (body == kWorld) return kWorld;
-    const auto it = std::lower_bound(members_.begin(), members_.end(), body);
-    return static_cast<std::size_t>(it - members_.begin());
-  };
   system_.held.assign(members_.size(), HeldWrench());
   system_.coupled.clear();
   for (std::size_t body : members_) {
