@@ -38,7 +38,7 @@ void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedul
     double t_next = t_end;
     for (std::size_t body : members_) t_next = std::min(t_next, schedules[body].nextEvent());
     if (t_next > t && choice_.method) stepInParts(t_next - t);
-    if (t_next > t && !choice_.method) solve(t, t_next);
+    if (t_next > t && !choice_.method) solve(t, t_next, schedules[members_[0]].nextEvent());
     t = t_next;
 
     // what starts and ends there
@@ -69,10 +69,11 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
 }
 
 /// Evaluates the solution at t_end, anchored anew where a series ends and, after an event, at t.
-void Group::solve(double t, double t_end) {
+void Group::solve(double t, double t_end, double next_event) {
   constexpr int kMostSegments = 1000000;
-  const auto anchor = [this](double at) {
-    solved_.emplace(*system_.bodies[0], system_.held[0], system_.g_W, at, states_[0]);
+  const auto anchor = [&](double at) {
+    solved_.emplace(*system_.bodies[0], system_.held[0], system_.g_W, at, states_[0],
+                    next_event - at);
   };
   if (!solved_) anchor(t);
   for (int segments = 0; !(solved_->validUntil() >= t_end); ++segments) {

@@ -40,7 +40,7 @@ class Group {
  private:
   std::size_t localIndex(std::size_t body) const;
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
-  void solve(double t, double t_end);
+  void solve(double t, double t_end, double next_event);
   void stepInParts(double h);
 
   std::vector<std::size_t> members_;
