@@ -1,10 +1,15 @@
-# gtest of the layers without ROS, one program a layer. catkin's gtest targets take the plain
-# signature of target_link_libraries.
+# All gtests that need no ROS master. Their names are listed in gtests.txt of the build directory.
+add_custom_target(rigid_body_gtests)
+file(WRITE ${CMAKE_BINARY_DIR}/gtests.txt "")
+
+# One program a layer. catkin's gtest targets take the plain signature of target_link_libraries.
 function(rigid_body_gtest name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   catkin_add_gtest(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE test)
   target_link_libraries(${name} ${ARG_LIBRARIES} rigid_body_compile_options gtest_main)
+  add_dependencies(rigid_body_gtests ${name})
+  file(APPEND ${CMAKE_BINARY_DIR}/gtests.txt "${name}\n")
 endfunction()
 
 rigid_body_gtest(test_math
@@ -46,6 +51,47 @@ rigid_body_gtest(test_scene
   LIBRARIES rigid_body_sim_scene)
 target_compile_definitions(test_scene PRIVATE
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
+
+rigid_body_gtest(test_node
+  SOURCES
+    test/ros/test_conversions.cpp
+    test/ros/test_markers.cpp
+    test/ros/test_node_options.cpp
+    test/ros/test_pacing.cpp
+    test/ros/test_wrench_intake.cpp
+    test/ros/test_wrench_messages.cpp
+  LIBRARIES rigid_body_sim_ros)
+
+rigid_body_gtest(test_tools
+  SOURCES
+    test/tools/test_simulate_program.cpp
+  LIBRARIES rigid_body_sim_scene)
+target_compile_definitions(test_tools PRIVATE
+  RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:simulate>"
+  RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
+add_dependencies(test_tools simulate)
+
+# rostests: the node in a process of its own, driven through its topics and services.
+find_package(rostest REQUIRED)
+find_package(roslaunch REQUIRED)
+function(rigid_body_rostest name)
+  add_rostest_gtest(test_${name} test/ros/${name}.test test/ros/test_${name}.cpp ${ARGN})
+  target_link_libraries(test_${name} rigid_body_sim_ros rigid_body_compile_options gtest)
+  add_dependencies(test_${name} rigid_body_node)
+  target_compile_definitions(test_${name} PRIVATE
+    RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_node>"
+    RIGID_BODY_SIM_TEST_SCENE="${PROJECT_SOURCE_DIR}/test/ros/lopsided.yaml")
+endfunction()
+set(driver test/ros/node_driver.cpp test/ros/reference_run.cpp)
+rigid_body_rostest(clock ${driver})
+rigid_body_rostest(doors ${driver})
+rigid_body_rostest(process)
+rigid_body_rostest(services ${driver})
+
+file(GLOB launch_files RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/launch/*.launch)
+foreach(launch_file ${launch_files})
+  roslaunch_add_file_check(${launch_file} IGNORE_UNSET_ARGS)
+endforeach()
 rigid_body_gtest(test_taylor
   SOURCES
     test/dynamics/test_taylor_segment.cpp
@@ -54,4 +100,12 @@ rigid_body_gtest(test_taylor
 rigid_body_gtest(test_rotor
   SOURCES
     test/dynamics/test_rotor.cpp
+    test/dynamics/test_rotor_laws.cpp
   LIBRARIES rigid_body_sim_core)
+
+# Boost and GSL are other people's elliptic functions to compare with; nothing else needs them.
+find_package(GSL REQUIRED)
+rigid_body_gtest(test_elliptic
+  SOURCES
+    test/math/test_elliptic.cpp
+  LIBRARIES rigid_body_sim_core GSL::gsl)

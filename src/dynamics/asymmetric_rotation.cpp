@@ -5,15 +5,11 @@
 namespace rigid_body_sim {
 
 template <class T>
-FreeInvariants<T>::FreeInvariants(const ScaledInertia<T>& inertia, const Vector3<T>& L_P)
-    : unit(L_P.cwiseAbs().maxCoeff()),
-      rate(Wide<T>(unit) / inertia.unit),
-      m(L_P.template cast<Wide<T>>() / Wide<T>(unit)) {
-  using std::sqrt;
-  const Vector3<Wide<T>> square = m.cwiseAbs2();
-  const Wide<T> T1 = square(0) / inertia.I1, T2 = square(1) / inertia.I2,
-                T3 = square(2) / inertia.I3;
-  G = sqrt(square.sum());
+FreeInvariants<T>::FreeInvariants(const ScaledInertia<T>& inertia, const AngularMomentum<T>& L)
+    : magnitude(T(L.magnitude)), rate(L.magnitude / inertia.unit), m(L.direction_P) {
+  const Wide<T> T1 = m(0) * m(0) / inertia.I1;
+  const Wide<T> T2 = m(1) * m(1) / inertia.I2;
+  const Wide<T> T3 = m(2) * m(2) / inertia.I3;
   D1 = T2 * inertia.I21 + T3 * inertia.I31;
   D2 = T3 * inertia.I32 - T1 * inertia.I21;
   D3 = -(T1 * inertia.I31 + T2 * inertia.I32);
@@ -45,14 +41,28 @@ struct CircledAxis {
   }
 };
 
+/// The functions at s + v. The denominator 1 − k² sn²s sn²v is written cn²s + sn²s dn²v, which does
+/// not cancel, and all is scaled by its greater root, so that near the separatrix nothing
+/// underflows. Source: DLMF 22.8.1 to 22.8.3.
+template <class T>
+JacobiValues<T> sumArgument(const JacobiValues<T>& s, const JacobiValues<T>& v, T k2) {
+  using std::abs;
+  using std::max;
+  const T scale = T(1) / max(abs(s.cn), v.dn);
+  const T s_cn = scale * s.cn, s_dn = scale * s.dn, v_cn = scale * v.cn, v_dn = scale * v.dn;
+  const T inverse = T(1) / (s_cn * s_cn + s.sn * s.sn * v_dn * v_dn);
+  return {inverse * (s.sn * v_cn * v_dn + v.sn * s_cn * s_dn),
+          inverse * (s_cn * v_cn - s.sn * s_dn * v.sn * v_dn),
+          inverse * (s_dn * v_dn - k2 * s.sn * s_cn * v.sn * v_cn)};
+}
+
 }  // namespace
 
 template <class T>
 AsymmetricRotation<T>::AsymmetricRotation(const ScaledInertia<T>& inertia,
                                           const FreeInvariants<T>& invariants,
                                           const Quaternion<T>& q_WP)
-    : unit_(invariants.unit),
-      G_(T(invariants.G)),
+    : magnitude_(invariants.magnitude),
       jacobi_(CircledAxis<T>(inertia, invariants).complementaryParameter(inertia, invariants)) {
   using std::abs;
   using std::sqrt;
@@ -77,7 +87,7 @@ AsymmetricRotation<T>::AsymmetricRotation(const ScaledInertia<T>& inertia,
   start_ = {T(s / norm), T(c / norm), T(sign * invariants.m(a_) / A)};
 
   const W lambda = sqrt(axis.Db * axis.Ia2 / (I1I3 * inertia.I2));
-  const W C = invariants.G * inertia.I31 / (lambda * I1I3);
+  const W C = inertia.I31 / (lambda * I1I3);
   lambda_ = invariants.rate * lambda;
   k2_ = T(axis.Da * axis.Ib2 / (axis.Db * axis.Ia2));
   C_ = T(C);
@@ -93,19 +103,17 @@ AsymmetricRotation<T>::AsymmetricRotation(const ScaledInertia<T>& inertia,
   const W mc = axis.complementaryParameter(inertia, invariants);
   const CompleteIntegrals<W> complete = completeIntegrals(mc, nu);
   half_period_ = W(2) * complete.K;
-  rate_ = invariants.rate * invariants.G / (other_rate_ ? axis.Ib : axis.Ia);
+  rate_ = invariants.rate / (other_rate_ ? axis.Ib : axis.Ia);
   const W per_half_period = W(2) * C * complete.Pi_minus_K;
   angle_per_half_period_ = W(sigma_) * (other_rate_ ? kPi<W> - per_half_period : per_half_period);
 
   const Vector3<W> m0(sign * invariants.m(0), invariants.m(1), sign * invariants.m(2));
-  const Quaternion<T> back(
-      shortestRotation<T>(a_, Vector3<T>(m0.template cast<T>()), G_).conjugate());
+  const Quaternion<T> back(shortestRotation<T>(a_, Vector3<T>(m0.template cast<T>())).conjugate());
   before_ = product(q_WP, turned_ ? halfTurned(back) : back);
 }
 
 template <class T>
-T AsymmetricRotation<T>::oscillation(const JacobiValues<T>& v, const JacobiValues<T>& u,
-                                     T denominator) const {
+T AsymmetricRotation<T>::oscillation(const JacobiValues<T>& v, const JacobiValues<T>& u) const {
   using std::atan2;
   const JacobiValues<T>& s = start_;
   // Π(ν; v) − v, and what Π(ν; u₀ + v) has beyond Π(ν; u₀) + Π(ν; v)
@@ -114,10 +122,7 @@ T AsymmetricRotation<T>::oscillation(const JacobiValues<T>& v, const JacobiValue
                            T(1) - nu_ * u.sn * u.sn + nu_ * s.sn * v.sn * u.cn * u.dn);
   if (other_rate_) {
     // turn of cn + i r sn from u₀ to u
-    const T im = r_ *
-                 (v.sn * s.dn * (s.cn * s.cn + s.sn * s.sn * v.dn) -
-                  s.sn * s.cn * v.cn * k2_ * v.sn * v.sn / (T(1) + v.dn)) /
-                 denominator;
+    const T im = r_ * (u.sn * s.cn - s.sn * u.cn);
     const T re = u.cn * s.cn + r_ * r_ * u.sn * s.sn;
     return atan2(im, re) - third - addition;
   }
@@ -148,14 +153,9 @@ RotationState<T> AsymmetricRotation<T>::at(T dt) const {
   }
   const JacobiValues<T> v = jacobi_.at(T(argument));
 
-  // u = u₀ + v by the addition theorem, its denominator 1 − k² sn² sn² written without cancellation
-  const JacobiValues<T>& s = start_;
-  const T denominator = s.cn * s.cn + s.sn * s.sn * v.dn * v.dn;
-  const JacobiValues<T> u = {(s.sn * v.cn * v.dn + v.sn * s.cn * s.dn) / denominator,
-                             (s.cn * v.cn - s.sn * s.dn * v.sn * v.dn) / denominator,
-                             (s.dn * v.dn - k2_ * s.sn * s.cn * v.sn * v.cn) / denominator};
-  const W psi = rate_ * W(dt) + half_periods * angle_per_half_period_ +
-                W(sigma_ * oscillation(v, u, denominator));
+  const JacobiValues<T> u = sumArgument(start_, v, k2_);
+  const W psi =
+      rate_ * W(dt) + half_periods * angle_per_half_period_ + W(sigma_ * oscillation(v, u));
 
   // sn and cn change sign over a half period
   const T parity(W(2) * floor(half_periods / W(2)) == half_periods ? 1 : -1);
@@ -164,8 +164,8 @@ RotationState<T> AsymmetricRotation<T>::at(T dt) const {
   m(1) = parity * amplitude_2_ * u.sn;
   m(2 - a_) = parity * amplitude_b_ * u.cn;
   const Quaternion<T> turn =
-      product(rotationAbout<T>(Vector3<T>::Unit(a_), psi), shortestRotation<T>(a_, m, G_));
-  RotationState<T> state{product(before_, turned_ ? halfTurned(turn) : turn), m * unit_};
+      product(rotationAbout<T>(Vector3<T>::Unit(a_), psi), shortestRotation<T>(a_, m));
+  RotationState<T> state{product(before_, turned_ ? halfTurned(turn) : turn), m * magnitude_};
   if (turned_) state.L_P = Vector3<T>(-state.L_P.x(), state.L_P.y(), -state.L_P.z());
   renormalize(state.q_WP);
   return state;

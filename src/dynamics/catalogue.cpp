@@ -17,7 +17,7 @@ const std::vector<Method>& catalogue() {
       {"strang",              2, 2,  1, 0.8,   1, kGeometric,            strangStep},
       {"magnus4",             2, 4,  1, 0.4,   1, kMomentum,             magnus4Step},
       {"rk4",                 4, 4,  4, 0.4,   2, kTakesCoupling,        rk4Step},
-      {"blanes_moan6",        6, 6, 14, 1.6, 100, kGeometric,            blanesMoan6Step},
+      {"blanes_moan6",        6, 0, 14, 1.6, 100, kGeometric,            blanesMoan6Step},
       {"kahan_li8",           8, 8, 17, 0.8,  16, kGeometric,            kahanLi8Step},
       {"dop853",              8, 8, 12, 1.6,   7, kTakesCoupling,        dop853Step},
       {"taylor",             16, 16, 1, kAnyTurn, 8, kSolves | kKeepsFreeL, taylorStep},

@@ -14,18 +14,22 @@ using Track = std::vector<std::vector<BodyState>>;
 
 /// A trial of every row from the same start.
 class Trial {
+  static constexpr double kParts = 8;  // into which every step can at least be divided
+
  public:
   Trial(const World& world, const std::vector<std::size_t>& members, const State& state,
         const std::vector<WrenchSchedule>& schedules, double most_body_steps)
       : world_(world), members_(members), start_(state), schedules_(schedules) {
     const double h = world.solver.time_step;
     const double wanted = std::max(1.0, std::ceil(world.solver.horizon / h));
-    const double affordable =
-        std::max(8.0, std::floor(most_body_steps / static_cast<double>(members.size())));
-    steps_ = static_cast<int>(std::min(wanted, affordable));
+    const double affordable = most_body_steps / static_cast<double>(members.size());
+    steps_ = static_cast<int>(std::min(wanted, std::max(8.0, affordable / kParts)));
+    most_parts_ = static_cast<int>(std::max(kParts, affordable / steps_));
     const double share = steps_ / wanted;
     tolerance_ = world.solver.tolerance * std::min(1.0, share * share);
   }
+
+  int mostParts() const { return most_parts_; }
 
   /// Nothing where the method cannot follow.
   std::optional<Track> run(const Method& method, int parts) const {
@@ -80,17 +84,17 @@ class Trial {
   const State& start_;
   const std::vector<WrenchSchedule>& schedules_;
   int steps_ = 1;
+  int most_parts_ = 1;
   double tolerance_ = 0;
 };
 
 /// dop853 in more and more parts until it agrees with itself to a hundredth of the tolerance, or no
 /// better: the last is the truth that the rows are held against.
 std::optional<Track> truthOf(const Trial& trial) {
-  constexpr int kMostParts = 256;
   const Method& dop853 = methodNamed("dop853");
   std::optional<Track> last;
   double last_error = std::numeric_limits<double>::infinity();
-  for (int parts = 1; parts <= kMostParts; parts *= 2) {
+  for (int parts = 1; parts <= trial.mostParts(); parts *= 2) {
     std::optional<Track> track = trial.run(dop853, parts);
     if (track && last) {
       const double error = trial.error(*last, *track);
@@ -117,14 +121,14 @@ MethodChoice chooseMethod(const World& world, const std::vector<std::size_t>& me
   for (auto row = catalogue().rbegin(); row != catalogue().rend(); ++row) {
     if (!row->claims_to(kTakesCoupling)) continue;
     double last_error = std::numeric_limits<double>::infinity();
-    for (int parts = 1; parts * row->cost < best_cost; parts *= 2) {
+    for (int parts = 1; parts * row->cost < best_cost && parts <= trial.mostParts(); parts *= 2) {
       const std::optional<Track> track = trial.run(*row, parts);
       const double error = track ? trial.error(*track, *truth) : last_error;
       const bool holds = error <= kMargin;
       if (holds || (!best.holds && error < best.error)) best = {&*row, parts, error, holds};
       if (holds) best_cost = parts * row->cost;
       // rounding has the better of the shorter step, or the row cannot get there
-      if (holds || parts >= 256 || (error < 1e3 && error > last_error / 1.5)) break;
+      if (holds || (error < 1e3 && error > last_error / 1.5)) break;
       last_error = error;
     }
   }

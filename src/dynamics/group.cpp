@@ -87,7 +87,7 @@ void Group::stepInParts(double h) {
     turn = std::max(turn, h * angularVelocity(system_.bodies[k]->inv_I, states_[k].L_P).norm());
   const Method& method = *choice_.method;
   const double needed = std::ceil(turn / method.most_turn);
-  const double parts = std::max(static_cast<double>(choice_.parts), needed);
+  const double parts = std::max<double>(choice_.parts, needed);
   constexpr double kMostParts = 1e5;
   if (!(parts <= kMostParts)) {
     std::ostringstream reason;

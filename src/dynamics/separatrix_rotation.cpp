@@ -8,7 +8,7 @@ template <class T>
 SeparatrixRotation<T>::SeparatrixRotation(const ScaledInertia<T>& inertia,
                                           const FreeInvariants<T>& invariants,
                                           const Quaternion<T>& q_WP)
-    : unit_(invariants.unit), G_(T(invariants.G)) {
+    : magnitude_(invariants.magnitude) {
   using std::asinh;
   using std::sqrt;
   using W = Wide<T>;
@@ -21,11 +21,11 @@ SeparatrixRotation<T>::SeparatrixRotation(const ScaledInertia<T>& inertia,
   turned_ = m(a_) < W(0);
   other_sign_ = T((m(2 - a_) < W(0)) == turned_ ? 1 : -1);
   sigma_ = other_sign_ * T(a_ == 0 ? -1 : 1);
-  lambda_ = W(other_sign_) * invariants.rate / invariants.G *
+  lambda_ = W(other_sign_) * invariants.rate *
             sqrt(-invariants.D1 * invariants.D3 / (inertia.I1 * inertia.I3));
-  rate_ = invariants.rate * invariants.G / inertia.I2;
+  rate_ = invariants.rate / inertia.I2;
   u0_ = T(asinh(m(1) / sqrt(m(0) * m(0) + m(2) * m(2))));
-  const Quaternion<T> back(shortestRotation<T>(a_, momentum(u0_), G_).conjugate());
+  const Quaternion<T> back(shortestRotation<T>(a_, momentum(u0_)).conjugate());
   before_ = product(q_WP, turned_ ? halfTurned(back) : back);
 }
 
@@ -34,7 +34,7 @@ Vector3<T> SeparatrixRotation<T>::momentum(T u) const {
   using std::cosh;
   using std::tanh;
   const T sech = T(1) / cosh(u);
-  Vector3<T> m(amplitude_1_ * sech, G_ * tanh(u), amplitude_3_ * sech);
+  Vector3<T> m(amplitude_1_ * sech, tanh(u), amplitude_3_ * sech);
   m(2 - a_) *= other_sign_;
   return m;
 }
@@ -45,7 +45,7 @@ T SeparatrixRotation<T>::angle(T u) const {
   using std::tanh;
   const T x = a_ == 0 ? amplitude_1_ : amplitude_3_;
   const T y = a_ == 0 ? amplitude_3_ : amplitude_1_;
-  return T(2) * sigma_ * atan2((x - G_) * tanh(u / T(2)), y);
+  return T(2) * sigma_ * atan2((x - T(1)) * tanh(u / T(2)), y);
 }
 
 template <class T>
@@ -55,8 +55,8 @@ RotationState<T> SeparatrixRotation<T>::at(T dt) const {
   const W psi = rate_ * W(dt) + W(angle(u) - angle(u0_));
   const Vector3<T> m = momentum(u);
   const Quaternion<T> turn =
-      product(rotationAbout<T>(Vector3<T>::Unit(a_), psi), shortestRotation<T>(a_, m, G_));
-  RotationState<T> state{product(before_, turned_ ? halfTurned(turn) : turn), m * unit_};
+      product(rotationAbout<T>(Vector3<T>::Unit(a_), psi), shortestRotation<T>(a_, m));
+  RotationState<T> state{product(before_, turned_ ? halfTurned(turn) : turn), m * magnitude_};
   if (turned_) state.L_P = Vector3<T>(-state.L_P.x(), state.L_P.y(), -state.L_P.z());
   renormalize(state.q_WP);
   return state;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -15,6 +14,11 @@ std::string divergedMessage(double time, const std::string& body, const std::str
   message << "t = " << time << " s: body '" << body << "': " << quantity;
   return message.str();
 }
+
+/// Bounds on the work of each of auto's trial runs, in steps of one body: tenths of a second before
+/// the simulation starts, milliseconds once it runs.
+constexpr double kTrialAtStart = 3e5;
+constexpr double kTrialInTheRun = 3e3;
 
 /// The first quantity of a state that is not finite; null when all are.
 const char* nonFiniteQuantity(const BodyState& s) {
@@ -33,8 +37,9 @@ SimulationDiverged::SimulationDiverged(double t, const std::string& b, const std
 Simulation::Simulation(World world, State initial)
     : world_(std::make_shared<const World>(std::move(world))),
       initial_(std::make_shared<const State>(std::move(initial))),
-      method_(&methodNamed(world_->solver.integrator == "auto" ? "strang"
-                                                               : world_->solver.integrator)) {
+      method_(world_->solver.integrator == "auto" ? nullptr
+                                                  : &methodNamed(world_->solver.integrator)) {
+  for (const AppliedWrench& wrench : world_->wrenches) requireAccepted(wrench);
   reset(true);
 }
 
@@ -46,7 +51,7 @@ void Simulation::reset(bool restart_time) {
   if (restart_time)
     for (const AppliedWrench& wrench : world_->wrenches)
       schedules_[wrench.body].put("", wrench, state_.t);
-  formGroups();
+  formGroups(kTrialAtStart);
 }
 
 void Simulation::step() {
@@ -54,9 +59,10 @@ void Simulation::step() {
   next_.t = static_cast<double>(steps_ + 1) * world_->solver.time_step;
   for (Group& group : groups_) {
     try {
-      advance(group, next_.t, next_);
+      group.advance(state_.t, next_.t, schedules_, next_.bodies);
     } catch (const StepTooLong& reason) {
-      throw SimulationDiverged(state_.t, world_->bodies[group.members.front()].name, reason.what());
+      throw SimulationDiverged(state_.t, world_->bodies[group.members().front()].name,
+                               reason.what());
     }
   }
   for (std::size_t i = 0; i < next_.bodies.size(); ++i)
@@ -68,117 +74,74 @@ void Simulation::step() {
 
 State Simulation::sample(double t) const {
   Simulation copy(*this);
-  for (Group& group : copy.groups_) copy.advance(group, t, copy.state_);
+  for (Group& group : copy.groups_) group.advance(state_.t, t, copy.schedules_, copy.state_.bodies);
   copy.state_.t = t;
   return std::move(copy.state_);
 }
 
-/// Steps a group from state_.t to t_end, split at every instant at which a wrench starts or ends.
-void Simulation::advance(Group& group, double t_end, State& state) {
-  scratch_.clear();
-  for (std::size_t body : group.members) scratch_.push_back(state.bodies[body]);
-
-  double t = state_.t;
-  while (t < t_end) {
-    double t_next = t_end;
-    for (std::size_t body : group.members) t_next = std::min(t_next, schedules_[body].nextEvent());
-    if (t_next > t) stepInParts(group, t_next - t);
-    t = t_next;
-    takeEvents(group, t);
-  }
-
-  for (std::size_t k = 0; k < group.members.size(); ++k)
-    state.bodies[group.members[k]] = scratch_[k];
-}
-
-/// One step of the method, or as many as it takes for it to follow the turn of the fastest body.
-void Simulation::stepInParts(Group& group, double h) {
-  double turn = 0;
-  for (std::size_t k = 0; k < scratch_.size(); ++k)
-    turn =
-        std::max(turn, h * angularVelocity(group.system.bodies[k]->inv_I, scratch_[k].L_P).norm());
-  const double parts = std::max(1.0, std::ceil(turn / method_->most_turn));
-  constexpr double kMostParts = 1e5;
-  if (!(parts <= kMostParts)) {
-    std::ostringstream reason;
-    reason << "a step turns the body by " << turn << " rad, more than " << method_->name
-           << " follows in " << kMostParts << " parts";
-    throw StepTooLong(reason.str());
-  }
-  if (parts > 1) most_parts_ = std::max(most_parts_, static_cast<int>(parts));
-  for (int k = 0; k < static_cast<int>(parts); ++k)
-    method_->step(group.system, h / parts, scratch_, group.workspace);
-}
-
-void Simulation::takeEvents(Group& group, double t) {
-  bool changed = false;
-  for (std::size_t body : group.members) changed |= schedules_[body].advanceTo(t);
-  if (changed) gatherWrenches(group);
-}
-
-void Simulation::gatherWrenches(Group& group) {
-  const auto localIndex = [&group](std::size_t body) {
-    if (body == kWorld) return kWorld;
-    const auto it = std::lower_bound(group.members.begin(), group.members.end(), body);
-    return static_cast<std::size_t>(it - group.members.begin());
-  };
-  System& system = group.system;
-  system.held.assign(group.members.size(), HeldWrench());
-  system.coupled.clear();
-  for (std::size_t body : group.members) {
-    for (AppliedWrench wrench : schedules_[body].active()) {
-      wrench.body = localIndex(wrench.body);
-      wrench.axes = localIndex(wrench.axes);
-      wrench.point_frame = localIndex(wrench.point_frame);
-      if (HeldWrench::holds(wrench))
-        system.held[wrench.body].add(wrench);
-      else
-        system.coupled.push_back(wrench);
-    }
-  }
-  group.workspace.wrenches_current = false;
-}
-
-void Simulation::formGroups() {
+void Simulation::formGroups(double most_trial_steps) {
   groups_.clear();
   group_of_.assign(world_->bodies.size(), 0);
   std::vector<std::vector<std::size_t>> bonds;
   for (const WrenchSchedule& schedule : schedules_) bonds.push_back(schedule.bodies());
-  for (std::vector<std::size_t>& members : coupledGroups(world_->bodies, bonds)) {
-    Group group;
-    group.members = std::move(members);
-    group.system.g_W = world_->g_W;
-    for (std::size_t body : group.members) {
-      group.system.bodies.push_back(&world_->bodies[body]);
-      group_of_[body] = groups_.size();
-      schedules_[body].advanceTo(state_.t);
-    }
-    gatherWrenches(group);
-    groups_.push_back(std::move(group));
+  for (const std::vector<std::size_t>& members : coupledGroups(world_->bodies, bonds)) {
+    for (std::size_t body : members) group_of_[body] = groups_.size();
+    groups_.emplace_back(*world_, members, chosen(members, most_trial_steps));
+    groups_.back().restart(state_.t, schedules_);
   }
 }
 
+/// The row named by the scene; with auto, none where the motion can be solved, else the cheapest.
+MethodChoice Simulation::chosen(const std::vector<std::size_t>& members, double most_trial_steps) {
+  if (method_) return {method_};
+  if (members.size() == 1 && schedules_[members[0]].allHeld()) return {};
+  const auto known = choices_.find(members);
+  if (known != choices_.end()) return known->second;
+  return choices_[members] = chooseMethod(*world_, members, state_, schedules_, most_trial_steps);
+}
+
+void Simulation::requireAccepted(const AppliedWrench& wrench) const {
+  if (method_ && !method_->claims_to(kTakesCoupling) && !HeldWrench::holds(wrench))
+    throw std::invalid_argument(std::string("integrator ") + method_->name +
+                                " takes a wrench that is fixed in the world or in the body acted on"
+                                " only, but that on body '" +
+                                world_->bodies[wrench.body].name + "' is not");
+}
+
 void Simulation::applyWrench(const std::string& slot, const AppliedWrench& wrench) {
+  requireAccepted(wrench);
   schedules_[wrench.body].put(slot, wrench, state_.t);
-  if (isCoupled(wrench))
-    formGroups();
+  if (HeldWrench::holds(wrench))
+    groups_[group_of_[wrench.body]].restart(state_.t, schedules_);
   else
-    takeEvents(groups_[group_of_[wrench.body]], state_.t);
+    formGroups(kTrialInTheRun);
 }
 
 void Simulation::clearWrenches() {
-  for (std::size_t body = 0; body < schedules_.size(); ++body) schedules_[body].clear();
-  formGroups();
+  for (WrenchSchedule& schedule : schedules_) schedule.clear();
+  formGroups(kTrialInTheRun);
 }
 
 void Simulation::clearWrenches(std::size_t body) {
   schedules_[body].clear();
-  formGroups();
+  formGroups(kTrialInTheRun);
 }
 
 void Simulation::clearWrenches(std::size_t body, const std::string& slot) {
   schedules_[body].clear(slot);
-  formGroups();
+  formGroups(kTrialInTheRun);
+}
+
+int Simulation::mostParts() const {
+  int most = 1;
+  for (const Group& group : groups_) most = std::max(most, group.mostParts());
+  return most;
+}
+
+std::int64_t Simulation::evaluations() const {
+  std::int64_t sum = 0;
+  for (const Group& group : groups_) sum += group.evaluations();
+  return sum;
 }
 
 std::size_t Simulation::wrenchCount() const {
@@ -196,7 +159,7 @@ Wrench Simulation::appliedWrench(std::size_t body) const {
 
 void Simulation::setState(std::size_t body, const BodyState& state) {
   state_.bodies[body] = state;
-  formGroups();
+  groups_[group_of_[body]].restart(state_.t, schedules_);
 }
 
 }  // namespace rigid_body_sim

@@ -9,17 +9,15 @@ RotationState<T> SteadyRotation<T>::at(T dt) const {
 
 template <class T>
 SymmetricRotation<T>::SymmetricRotation(const ScaledInertia<T>& inertia, const Quaternion<T>& q_WP,
-                                        const Vector3<T>& L_P)
-    : start_{q_WP, L_P}, k_(inertia.I21 > Wide<T>(0) ? 0 : 2) {
-  using std::sqrt;
-  const Vector3<Wide<T>> m = L_P.template cast<Wide<T>>() / Wide<T>(L_P.cwiseAbs().maxCoeff());
-  const Wide<T> rate = Wide<T>(L_P.cwiseAbs().maxCoeff()) / inertia.unit;
-  const Wide<T> norm = sqrt(m.squaredNorm());
-  direction_P_ = (m / norm).template cast<T>();
+                                        const AngularMomentum<T>& L)
+    : start_{q_WP, (L.direction_P * L.magnitude).template cast<T>()},
+      direction_P_(L.direction_P.template cast<T>()),
+      k_(inertia.I21 > Wide<T>(0) ? 0 : 2) {
+  const Wide<T> rate = L.magnitude / inertia.unit;
+  precession_rate_ = rate / inertia.I2;
   // 1/I_k − 1/I_t = ±I31/(I1 I3), from the difference of the moments, which is exact
   const Wide<T> sign(k_ == 0 ? 1 : -1);
-  precession_rate_ = rate * norm / inertia.I2;
-  spin_rate_ = rate * m(k_) * sign * inertia.I31 / (inertia.I1 * inertia.I3);
+  spin_rate_ = rate * L.direction_P(k_) * sign * inertia.I31 / (inertia.I1 * inertia.I3);
 }
 
 template <class T>

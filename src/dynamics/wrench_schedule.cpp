@@ -63,6 +63,12 @@ bool WrenchSchedule::advanceTo(double t) {
   return true;
 }
 
+bool WrenchSchedule::allHeld() const {
+  return std::all_of(active_.begin(), active_.end(), HeldWrench::holds) &&
+         std::all_of(pending_.begin(), pending_.end(),
+                     [](const auto& entry) { return HeldWrench::holds(entry.second.wrench); });
+}
+
 std::vector<std::size_t> WrenchSchedule::bodies() const {
   std::vector<std::size_t> bodies;
   const auto add = [&bodies](const AppliedWrench& wrench) {

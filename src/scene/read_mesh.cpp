@@ -48,14 +48,23 @@ Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
   return X;
 }
 
-/// Appends the triangles of a mesh, placed by X; one that mirrors turns them inside out and back.
-void append(const aiMesh& part, const Eigen::Affine3d& X, TriangleMesh& mesh) {
+/// A vertex as the file has it; one that is not finite is told before a transform spreads it.
+Vector3d finite(const aiVector3D& v, const std::string& path) {
+  const Vector3d vertex(v.x, v.y, v.z);
+  if (vertex.allFinite()) return vertex;
+  std::ostringstream reason;
+  reason << "mesh vertices must be finite, got [" << vertex.transpose() << "]";
+  fail(path, reason.str());
+}
+
+/// Appends the triangles of a mesh of the file at path, placed by X; where X mirrors, each is
+/// turned round, for it would come out facing inwards.
+void append(const aiMesh& part, const Eigen::Affine3d& X, const std::string& path,
+            TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   const bool mirrored = X.linear().determinant() < 0;
-  for (unsigned i = 0; i < part.mNumVertices; ++i) {
-    const aiVector3D& v = part.mVertices[i];
-    mesh.vertices.push_back(X * Vector3d(v.x, v.y, v.z));
-  }
+  for (unsigned i = 0; i < part.mNumVertices; ++i)
+    mesh.vertices.push_back(X * finite(part.mVertices[i], path));
   for (unsigned i = 0; i < part.mNumFaces; ++i) {
     const aiFace& face = part.mFaces[i];
     if (face.mNumIndices != 3) continue;
@@ -67,10 +76,11 @@ void append(const aiMesh& part, const Eigen::Affine3d& X, TriangleMesh& mesh) {
 
 /// Appends the meshes of a node and all nodes below it, each placed by its own transform.
 void append(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& X_parent,
-            TriangleMesh& mesh) {
+            const std::string& path, TriangleMesh& mesh) {
   const Eigen::Affine3d X = X_parent * toAffine(node.mTransformation);
-  for (unsigned i = 0; i < node.mNumMeshes; ++i) append(*scene.mMeshes[node.mMeshes[i]], X, mesh);
-  for (unsigned i = 0; i < node.mNumChildren; ++i) append(scene, *node.mChildren[i], X, mesh);
+  for (unsigned i = 0; i < node.mNumMeshes; ++i)
+    append(*scene.mMeshes[node.mMeshes[i]], X, path, mesh);
+  for (unsigned i = 0; i < node.mNumChildren; ++i) append(scene, *node.mChildren[i], X, path, mesh);
 }
 
 }  // namespace
@@ -84,13 +94,7 @@ TriangleMesh readMesh(const std::string& path, double scale) {
     fail(path, std::string("mesh file cannot be read: ") + importer.GetErrorString());
 
   TriangleMesh mesh;
-  append(*scene, *scene->mRootNode, Eigen::Affine3d(Eigen::Scaling(scale)), mesh);
-  for (const Vector3d& v : mesh.vertices) {
-    if (v.allFinite()) continue;
-    std::ostringstream reason;
-    reason << "mesh vertices must be finite, got [" << v.transpose() << "]";
-    fail(path, reason.str());
-  }
+  append(*scene, *scene->mRootNode, Eigen::Affine3d(Eigen::Scaling(scale)), path, mesh);
   if (mesh.triangles.empty()) fail(path, "mesh must have at least one triangle, got 0");
   return mesh;
 }

@@ -1,9 +1,15 @@
-// What a triangle costs: integrals and checks of a sphere, from a thousand triangles to a million.
+// What a triangle costs: reading, checking and integrating a sphere, from a thousand triangles to a
+// million.
+#include <filesystem>
+#include <fstream>
+
 #include <benchmark/benchmark.h>
 
 #include <rigid_body_sim/mass/checked_mesh.hpp>
+#include <rigid_body_sim/scene/read_mesh.hpp>
 
 #include "support/mesh_edits.hpp"
+#include "support/mesh_texts.hpp"
 #include "support/triangulations.hpp"
 
 namespace rigid_body_sim {
@@ -33,8 +39,18 @@ void checkMeshOfFile(benchmark::State& state) {
   reportPerTriangle(state, mesh);
 }
 
-BENCHMARK(integrateMesh)->Arg(32)->Arg(320)->Arg(1024)->Unit(benchmark::kMillisecond);
+void readBinaryStl(benchmark::State& state) {
+  const TriangleMesh mesh = sphere(state);
+  const auto path = std::filesystem::temp_directory_path() / "rigid_body_sim_mesh_mass.stl";
+  std::ofstream(path, std::ios::binary) << binaryStl(mesh);
+  for (auto _ : state) benchmark::DoNotOptimize(readMesh(path.string(), 1));
+  std::filesystem::remove(path);
+  reportPerTriangle(state, mesh);
+}
+
+BENCHMARK(readBinaryStl)->Arg(32)->Arg(320)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(checkMeshOfFile)->Arg(32)->Arg(320)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(integrateMesh)->Arg(32)->Arg(320)->Arg(1024)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace rigid_body_sim

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -40,7 +41,7 @@ Bench interruptedPush() {
   return bench;
 }
 
-std::vector<Case> cases() {
+std::vector<Case> allCases() {
   return {{"free", freeBody(), true},
           {"world_wrench_at_body_point", test::pushedBox(kWorld, 0, 0.1)},
           {"world_wrench_at_world_point", test::pushedBox(kWorld, kWorld, 0.1)},
@@ -48,6 +49,18 @@ std::vector<Case> cases() {
           {"body_wrench_at_world_point", test::pushedBox(0, kWorld, 0.1)},
           {"wrench_of_another_body", coupledBodies()},
           {"start_and_end_inside_steps", interruptedPush()}};
+}
+
+/// The cases that a row accepts.
+std::vector<Case> casesFor(const Method& method) {
+  std::vector<Case> accepted;
+  for (const Case& c : allCases()) {
+    const auto& wrenches = c.bench.world.wrenches;
+    if (method.claims_to(kTakesCoupling) ||
+        std::all_of(wrenches.begin(), wrenches.end(), HeldWrench::holds))
+      accepted.push_back(c);
+  }
+  return accepted;
 }
 
 class EveryMethod : public testing::TestWithParam<Method> {};
@@ -62,28 +75,39 @@ class Ladder {
 
   void add(int steps, double error) {
     done_ = done_ || error < floor_;
-    if (done_) return;
-    if (last_error_ > 0)
-      slope_ = -std::log(error / last_error_) / std::log(static_cast<double>(steps) / last_steps_);
-    last_error_ = error;
-    last_steps_ = steps;
+    if (!done_) points_.push_back({std::log(1.0 / steps), std::log(error)});
   }
-  /// Of log error against log step, between the two finest; nothing when all is rounding.
-  std::optional<double> slope() const { return slope_; }
+
+  /// Of log error against log step, fitted to the finest.
+  std::optional<double> slope(std::size_t finest) const {
+    const std::size_t first = points_.size() > finest ? points_.size() - finest : 0;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (std::size_t i = first; i < points_.size(); ++i)
+      mean += points_[i] / static_cast<double>(points_.size() - first);
+    double xx = 0, xy = 0;
+    for (std::size_t i = first; i < points_.size(); ++i) {
+      const Eigen::Vector2d d = points_[i] - mean;
+      xx += d.x() * d.x();
+      xy += d.x() * d.y();
+    }
+    return xx > 0 ? std::optional<double>(xy / xx) : std::nullopt;
+  }
 
  private:
-  double floor_, last_error_ = 0, last_steps_ = 0;
+  double floor_;
   bool done_ = false;
-  std::optional<double> slope_;
+  std::vector<Eigen::Vector2d> points_;
 };
 
 // Within what the next term of the expansion leaves at those steps: a tenth of the order, and 0.1.
 // A position that is exact for its wrench has no slope to show.
 TEST_P(EveryMethod, ConvergesAtItsClaimedOrder) {
   const Method& method = GetParam();
+  if (method.claims_to(kSolves)) GTEST_SKIP() << "has no order, see below";
   constexpr double kDuration = 2;  // [s]
-  for (const Case& c : cases()) {
+  for (const Case& c : casesFor(method)) {
     const int order = c.torque_free ? method.free_order : method.order;
+    if (order == 0) continue;  // exact, see below
     const reference::Motions truth = test::referenceRun(c.bench, kDuration);
     Ladder attitude(1e-12), position(2e-11);  // some 100 times the rounding of these runs
     for (double steps = 5; steps < 5000; steps *= 1.5) {
@@ -95,10 +119,64 @@ TEST_P(EveryMethod, ConvergesAtItsClaimedOrder) {
       attitude.add(n, errors.attitude);
       position.add(n, errors.position);
     }
-    ASSERT_TRUE(attitude.slope()) << c.name;
-    EXPECT_NEAR(*attitude.slope(), order, 0.1 * order + 0.1) << c.name;
-    EXPECT_GT(position.slope().value_or(100), 0.9 * method.order - 0.1) << c.name;
+    ASSERT_TRUE(attitude.slope(2)) << c.name;
+    EXPECT_NEAR(*attitude.slope(2), order, 0.1 * order + 0.1) << c.name;
+    // over more of the ladder: the error of a position may pass through zero
+    EXPECT_GT(position.slope(4).value_or(100), 0.9 * method.order - 0.1) << c.name;
   }
+}
+
+// Rounding of the few hundred steps, grown by a motion that spins up to some 10 rad/s.
+TEST_P(EveryMethod, SolvesWhateverTheStepIfItSaysSo) {
+  const Method& method = GetParam();
+  for (const Case& c : casesFor(method)) {
+    if (!method.claims_to(kSolves) && !(c.torque_free && method.free_order == 0)) continue;
+    const reference::Motions truth = test::referenceRun(c.bench, 2);
+    for (int n : {1, 7, 300}) {
+      const auto errors = test::motionErrors(c.bench.run(method.name, 2, n), truth);
+      EXPECT_LT(errors.attitude, 2e-13) << c.name << " in " << n << " steps";
+      EXPECT_LT(errors.position, 2e-13 * 20) << c.name << " in " << n << " steps";
+    }
+  }
+}
+
+TEST(Auto, HoldsItsToleranceForEveryKindOfWrench) {
+  for (double tolerance : {1e-3, 1e-6, 1e-9}) {
+    for (Case c : allCases()) {
+      c.bench.world.solver.tolerance = tolerance;
+      c.bench.world.solver.horizon = 2;
+      const reference::Motions truth = test::referenceRun(c.bench, 2);
+      const auto errors = test::motionErrors(c.bench.run("auto", 2, 100), truth);
+      EXPECT_LT(errors.attitude, tolerance) << c.name;
+      EXPECT_LT(errors.position, tolerance * 20) << c.name;  // [m] the box falls 20 m
+    }
+  }
+}
+
+TEST(Auto, SolvesWhatCanBeSolvedAndChoosesARowForTheRest) {
+  for (Case c : allCases()) {
+    c.bench.world.solver.horizon = 2;
+    const Simulation sim = c.bench.simulation("auto", 0.01);
+    const auto& wrenches = c.bench.world.wrenches;
+    const bool held = std::all_of(wrenches.begin(), wrenches.end(), HeldWrench::holds);
+    EXPECT_EQ(sim.groups()[0].choice().method == nullptr, held) << c.name;
+    EXPECT_TRUE(sim.groups()[0].choice().holds) << c.name;
+  }
+}
+
+TEST(Taylor, RefusesAWrenchThatTurnsWithAnotherBody) {
+  try {
+    coupledBodies().simulation("taylor", 0.01);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_NE(std::string(refused.what()).find("'box'"), std::string::npos) << refused.what();
+  }
+  Simulation sim = freeBody().simulation("taylor", 0.01);
+  AppliedWrench push;
+  push.axes = 0;
+  push.point_frame = kWorld;
+  EXPECT_THROW(sim.applyWrench("", push), std::invalid_argument);
+  EXPECT_EQ(sim.wrenchCount(), 0u);
 }
 
 TEST_P(EveryMethod, EvaluatesWrenchesAsOftenAsItClaims) {
@@ -118,11 +196,12 @@ TEST_P(EveryMethod, EvaluatesWrenchesAsOftenAsItClaims) {
 
 /// [s] A step that turns a body of about 2 rad/s by half of what the method follows in one part:
 /// what the method gets wrong is then well above rounding.
-double longStep(const Method& method) { return 0.5 * method.most_turn / 2; }
+double longStep(const Method& method) { return 0.5 * std::min(method.most_turn, 1.6) / 2; }
 
-// There and back over 100 steps each way: rounding of about 1e-16 a step, grown by the motion.
+// There and back over 50 steps each way: rounding of about 1e-16 a step, grown by the motion.
 TEST_P(EveryMethod, IsReversibleIfAndOnlyIfItSaysSo) {
   const Method& method = GetParam();
+  if (method.claims_to(kSolves)) GTEST_SKIP() << "steps forwards only; the error is rounding";
   Bench bench = freeBody();
   AppliedWrench push;
   push.point = {0.1, 0.2, 0.3};
@@ -134,7 +213,7 @@ TEST_P(EveryMethod, IsReversibleIfAndOnlyIfItSaysSo) {
   std::vector<BodyState> states = bench.initial.bodies;
   Workspace workspace;
   for (double h : {longStep(method), -longStep(method)})
-    for (int i = 0; i < 100; ++i) method.step(system, h, states, workspace);
+    for (int i = 0; i < 50; ++i) method.step(system, h, states, workspace);
   const double error = angleBetween(states[0].q_WP, bench.initial.bodies[0].q_WP);
   EXPECT_EQ(error < 1e-11, method.claims_to(kReversible)) << error;
 }
@@ -151,6 +230,7 @@ TEST_P(EveryMethod, KeepsAngularMomentumToTheLastBitIfItSaysSo) {
 // update drifts so fast that only short steps show it before the energy is at its greatest.
 TEST_P(EveryMethod, BoundsTheEnergyErrorIfItSaysSo) {
   const Method& method = GetParam();
+  if (method.claims_to(kSolves)) GTEST_SKIP() << "the error is rounding";
   const Bench bench = freeBody();
   const Body& body = bench.world.bodies[0];
   const double E_0 = kineticEnergy(body, bench.initial.bodies[0]);
@@ -161,7 +241,9 @@ TEST_P(EveryMethod, BoundsTheEnergyErrorIfItSaysSo) {
     double& worst = i < 2000 ? early : late;
     worst = std::max(worst, std::abs(kineticEnergy(body, sim.state().bodies[0]) - E_0));
   }
-  EXPECT_EQ(late < 1.5 * early, method.claims_to(kBoundsEnergy)) << early << " then " << late;
+  // 1e-11: what rounding adds up to over 20000 steps of up to fifteen drifts each
+  EXPECT_EQ(late < std::max(1.5 * early, 1e-11), method.claims_to(kBoundsEnergy))
+      << early << " then " << late;
 }
 
 // The two figures of the issue that this catalogue began with.

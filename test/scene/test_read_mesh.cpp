@@ -2,6 +2,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -144,6 +145,14 @@ TEST_F(ReadMesh, RefusesCoordinatesThatAreNotFinite) {
     // a reader may take the word for a number or not: refused in either case
     EXPECT_THAT(refusal(written("wrong.stl", content)), StartsWith("mesh ")) << wrong;
   }
+}
+
+TEST_F(ReadMesh, TellsTheCoordinatesThatAreNotFinite) {
+  std::string content = binaryStl(brick());
+  const float infinite = std::numeric_limits<float>::infinity();
+  std::memcpy(&content[84 + 50 + 12 + 4], &infinite, 4);  // second triangle, first corner, y
+  EXPECT_EQ(refusal(written("wrong.stl", content)),
+            "mesh vertices must be finite, got [  2.5   inf -1.25]");
 }
 
 TEST_F(ReadMesh, RefusesFilesWithoutTriangles) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <rigid_body_sim/math/types.hpp>
+#include <rigid_body_sim/math/rotation.hpp>
 
 namespace rigid_body_sim {
 
@@ -17,6 +17,8 @@ struct SpinningBody {
   Quaterniond q_WP;
   Vector3d L_P;
 
+  /// As a state carries it: rounded.
+  Vector3d L_W() const { return rotate(q_WP, L_P); }
   double spin() const { return L_P.cwiseQuotient(I).norm(); }  ///< |ω| [rad/s]
 };
 

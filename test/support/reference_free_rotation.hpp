@@ -25,7 +25,7 @@ struct ReferenceRotation {
 template <class R>
 class ReferenceFreeRotation {
  public:
-  ReferenceFreeRotation(const Vector3d& I, const Quaterniond& q_WP, const Vector3d& L_P)
+  ReferenceFreeRotation(const Vector3d& I, const Quaterniond& q_WP, const Vector3<long double>& L_P)
       : I_{R(I(0)), R(I(1)), R(I(2))} {
     state_.q = {R(q_WP.w()), R(q_WP.x()), R(q_WP.y()), R(q_WP.z())};
     for (std::size_t i = 0; i < 3; ++i) state_.w[i] = R(L_P(int(i))) / I_[i];
@@ -46,16 +46,22 @@ class ReferenceFreeRotation {
       for (const R& w : state_.w) unit = std::max(unit, w < R(0) ? -w : w);
       if (!(unit > R(0))) return;
       expand(unit);
-      const R length = dt < R(0) ? -dt * unit : dt * unit;
-      const R step = std::min(length, R(range()));
-      const bool last = step == length;
-      evaluate(dt < R(0) ? -step : step, unit);
-      dt = last ? R(0) : dt - (dt < R(0) ? -step : step) / unit;
+      const R longest = dt < R(0) ? -R(range()) / unit : R(range()) / unit;
+      const bool last = dt < R(0) ? dt >= longest : dt <= longest;
+      const R step = last ? dt : leadingBits(longest);
+      evaluate(step * unit, unit);
+      dt = last ? R(0) : dt - step;
     }
   }
 
  private:
   static constexpr std::size_t kOrder = 30;
+
+  /// x without its last forty bits: what is left of the time after such a step is exact.
+  static R leadingBits(R x) {
+    const R spread = x * R((1LL << 40) + 1);
+    return spread - (spread - x);
+  }
 
   /// Taylor coefficients of ω/unit and q in time·unit, by Cauchy products.
   void expand(R unit) {

@@ -5,26 +5,24 @@
 
 namespace rigid_body_sim {
 
-/// Angular momentum scaled to its greatest component, with the invariants of the free motion that
-/// do not cancel: with G = |m|, T the kinetic energy,
-///   D_j = G² − 2T I_j,
-/// each written as a sum over the two other components.
+/// The invariants of the free motion that do not cancel, in units of the magnitude of L and of the
+/// greatest moment: with T the kinetic energy, D_j = 1 − 2T I_j, each written as a sum over the two
+/// other components.
 template <class T>
 struct FreeInvariants {
-  FreeInvariants(const ScaledInertia<T>& inertia, const Vector3<T>& L_P);
+  FreeInvariants(const ScaledInertia<T>& inertia, const AngularMomentum<T>& L);
 
-  T unit;              ///< [kg m²/s] the greatest component of L_P
-  Wide<T> rate;        ///< [1/s] unit of L over unit of inertia
-  Vector3<Wide<T>> m;  ///< L_P / unit
-  Wide<T> G;           ///< |m|
-  Wide<T> D1;          ///< G² − 2T I1 ≥ 0
-  Wide<T> D2;          ///< G² − 2T I2: its sign says about which axis m circles
-  Wide<T> D3;          ///< G² − 2T I3 ≤ 0
+  T magnitude;         ///< [kg m²/s] of L
+  Wide<T> rate;        ///< [1/s] magnitude over unit of inertia
+  Vector3<Wide<T>> m;  ///< direction of L_P
+  Wide<T> D1;          ///< ≥ 0
+  Wide<T> D2;          ///< its sign says about which axis m circles
+  Wide<T> D3;          ///< ≤ 0
 };
 
 /// Free rotation of a body with three different moments, off its principal axes and off the
-/// separatrix. m = L_P circles the axis e_a of the least moment where D2 < 0, of the greatest where
-/// D2 > 0; e_b is the other of the two. With u = u₀ + λt:
+/// separatrix. The unit vector m along L_P circles the axis e_a of the least moment where D2 < 0,
+/// of the greatest where D2 > 0; e_b is the other of the two. With u = u₀ + λt:
 ///   m_a = ±A dn u,  m₂ = M sn u,  m_b = ±B cn u,
 /// and the attitude is q₀ P₀⁻¹ exp(ψ e_a) P_t, where P_t turns m(t) onto e_a the shortest way.
 /// The angle ψ in the form that does not cancel: doc/derivations/free_rotation.md.
@@ -37,14 +35,14 @@ class AsymmetricRotation {
   RotationState<T> at(T dt) const;
 
  private:
-  /// The part of ψ/σ that is not proportional to time, at the argument u₀ + v.
-  T oscillation(const JacobiValues<T>& v, const JacobiValues<T>& u, T denominator) const;
+  /// The part of ψ/σ that is not proportional to time, from the argument u₀ to u = u₀ + v.
+  T oscillation(const JacobiValues<T>& v, const JacobiValues<T>& u) const;
 
   int a_;                 ///< index of the axis circled, 0 or 2
   T sigma_;               ///< +1 about e₁, −1 about e₃
   bool turned_;           ///< m_a < 0: described after half a turn about e₂
   Quaternion<T> before_;  ///< q₀ P₀⁻¹
-  T unit_, G_;
+  T magnitude_;           ///< [kg m²/s] of L
   T amplitude_a_, amplitude_2_, amplitude_b_;
   JacobiValues<T> start_;
   JacobiFunctions<T> jacobi_;
@@ -56,7 +54,7 @@ class AsymmetricRotation {
 };
 
 /// Free rotation exactly on the separatrix, D2 = 0: m goes once over from −e₂ to e₂,
-///   m = (A₁ sech u, G tanh u, A₃ sech u),  u = u₀ + λt.
+///   m = (A₁ sech u, tanh u, A₃ sech u),  u = u₀ + λt.
 template <class T>
 class SeparatrixRotation {
  public:
@@ -74,7 +72,7 @@ class SeparatrixRotation {
   T other_sign_;          ///< of the third component of m, then
   T sigma_;               ///< sign of the oscillation of ψ
   Quaternion<T> before_;  ///< q₀ P₀⁻¹
-  T unit_, G_;
+  T magnitude_;           ///< [kg m²/s] of L
   T amplitude_1_, amplitude_3_;
   Wide<T> lambda_, rate_;
   T u0_;

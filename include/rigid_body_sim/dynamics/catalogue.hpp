@@ -26,7 +26,7 @@ enum Claim : unsigned {
 struct Method {
   const char* name;
   int order;         ///< of attitude and position, for every wrench that it accepts
-  int free_order;    ///< of the attitude of a body without torque
+  int free_order;    ///< of the attitude of a body without torque; 0: exact to rounding
   int evaluations;   ///< of the wrenches, per step
   double most_turn;  ///< [rad] |ω| h that a step follows; longer ones are taken in parts
   double cost;       ///< of a step of one body under one held wrench, relative to strang's

@@ -33,9 +33,9 @@ class FreeRotation {
 /// is built: spherical, one rotation about L; symmetric, two rotations; asymmetric, Jacobi elliptic
 /// functions. Derivation and sources: doc/derivations/free_rotation.md.
 ///
-/// The motion hangs on L_P alone: it keeps the digits of a needle's small component, and
-/// R(q_WP(t)) L_P(t) then keeps whatever direction in the world it has at the anchor. L_W would
-/// bring in a second axis, a rounding error off, about which the same body would have to turn.
+/// Of the two accounts of the angular momentum, L_P gives the direction and L_W the magnitude (see
+/// AngularMomentum). The axis of precession is R(q_WP) L_P, so that the motion starts exactly at
+/// q_WP; where it differs from L_W it does so by rounding, and goes on differing by no more.
 template <class T>
 class Rotor {
  public:
@@ -44,9 +44,10 @@ class Rotor {
 
   InertiaKind kind() const { return kind_; }
 
-  /// The motion of the body that at dt = 0 has attitude q_WP (unit) and angular momentum L_P
-  /// [kg m²/s] in principal axes.
-  FreeRotation<T> from(const Quaternion<T>& q_WP, const Vector3<T>& L_P) const;
+  /// The motion of the body that at dt = 0 has attitude q_WP (unit) and angular momentum
+  /// [kg m²/s] L_P in principal axes, L_W = R(q_WP) L_P in world axes.
+  FreeRotation<T> from(const Quaternion<T>& q_WP, const Vector3<T>& L_P,
+                       const Vector3<T>& L_W) const;
 
  private:
   InertiaKind kind_;

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <rigid_body_sim/dynamics/catalogue.hpp>
-#include <rigid_body_sim/dynamics/world.hpp>
-#include <rigid_body_sim/dynamics/wrench_schedule.hpp>
+#include <rigid_body_sim/dynamics/group.hpp>
 
 namespace rigid_body_sim {
 
@@ -26,7 +25,8 @@ class SimulationDiverged : public std::runtime_error {
 /// another are advanced apart. A copy goes on by itself.
 class Simulation {
  public:
-  /// Throws std::invalid_argument for an integrator that is unknown.
+  /// Throws std::invalid_argument for an integrator that is unknown or refuses a wrench of the
+  /// world.
   Simulation(World world, State initial);
 
   const World& world() const { return *world_; }
@@ -40,7 +40,8 @@ class Simulation {
   /// The state at a time between now and the next step; the run goes on as if never asked.
   State sample(double t) const;
 
-  /// Applies a wrench; see WrenchSchedule::put for slots.
+  /// Applies a wrench; see WrenchSchedule::put for slots. Throws std::invalid_argument, and leaves
+  /// all as it was, for one that the integrator does not accept.
   void applyWrench(const std::string& slot, const AppliedWrench& wrench);
 
   /// Ends, now, every wrench, those of a body, or those of one slot of it.
@@ -56,7 +57,13 @@ class Simulation {
 
   /// The most parts that a step was taken in so far, because a body turned faster than the method
   /// follows in one; 1 when none was.
-  int mostParts() const { return most_parts_; }
+  int mostParts() const;
+
+  /// Evaluations of all wrenches by methods, summed over the groups there are now.
+  std::int64_t evaluations() const;
+
+  /// How the bodies are advanced: those that act on one another together, each group in its way.
+  const std::vector<Group>& groups() const { return groups_; }
 
   void setState(std::size_t body, const BodyState& state);
 
@@ -65,30 +72,20 @@ class Simulation {
   void reset(bool restart_time);
 
  private:
-  /// Bodies that act on one another, advanced together.
-  struct Group {
-    std::vector<std::size_t> members;  // indices in the world, ascending
-    System system;
-    Workspace workspace;
-  };
-
-  void formGroups();
-  void gatherWrenches(Group& group);
-  void takeEvents(Group& group, double t);
-  void advance(Group& group, double t_end, State& state);
-  void stepInParts(Group& group, double h);
+  void formGroups(double most_trial_steps);
+  MethodChoice chosen(const std::vector<std::size_t>& members, double most_trial_steps);
+  void requireAccepted(const AppliedWrench& wrench) const;
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const State> initial_;
-  const Method* method_;
+  const Method* method_;  // null: auto
   State state_;
   State next_;
   std::int64_t steps_ = 0;
   std::vector<WrenchSchedule> schedules_;  // one per body
   std::vector<Group> groups_;
   std::vector<std::size_t> group_of_;  // body -> index in groups_; of no account for a fixed body
-  std::vector<BodyState> scratch_;
-  int most_parts_ = 1;
+  std::map<std::vector<std::size_t>, MethodChoice> choices_;  // of auto, by members
 };
 
 }  // namespace rigid_body_sim

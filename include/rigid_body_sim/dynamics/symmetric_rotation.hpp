@@ -9,7 +9,7 @@ namespace rigid_body_sim {
 template <class T>
 class SteadyRotation {
  public:
-  /// Angular momentum L_P = magnitude × unit vector axis_P, rate in rad/s about axis_P.
+  /// Rate [rad/s] about the unit vector axis_P.
   SteadyRotation(const Quaternion<T>& q_WP, const Vector3<T>& L_P, const Vector3<T>& axis_P,
                  Wide<T> rate)
       : start_{q_WP, L_P}, axis_P_(axis_P), rate_(rate) {}
@@ -29,7 +29,7 @@ template <class T>
 class SymmetricRotation {
  public:
   SymmetricRotation(const ScaledInertia<T>& inertia, const Quaternion<T>& q_WP,
-                    const Vector3<T>& L_P);
+                    const AngularMomentum<T>& L);
 
   RotationState<T> at(T dt) const;
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <rigid_body_sim/dynamics/wrench.hpp>
+#include <rigid_body_sim/dynamics/held_wrench.hpp>
 
 namespace rigid_body_sim {
 
@@ -28,6 +28,10 @@ class WrenchSchedule {
 
   const std::vector<AppliedWrench>& active() const { return active_; }
   std::size_t size() const { return active_.size() + pending_.size(); }
+
+  /// Whether all, acting or to come, depend on the motion of their own body only
+  /// (HeldWrench::holds).
+  bool allHeld() const;
 
   /// The bodies, acted on or turned with, of all wrenches that act or are to come.
   std::vector<std::size_t> bodies() const;

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <rigid_body_sim/dynamics/world.hpp>
+#include <rigid_body_sim/scene/scene.hpp>
+
+namespace rigid_body_sim {
+
+/// One marker for each body, in the body's own frame, so that it follows tf and is sent once: its
+/// mesh, its shape, or, where only inertia is given, the homogeneous box of the same inertia,
+///   sideᵢ = √(6 (I_j + I_k − Iᵢ)/m).
+visualization_msgs::MarkerArray toMarkers(const Scene& scene, const World& world);
+
+}  // namespace rigid_body_sim

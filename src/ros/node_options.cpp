@@ -1,0 +1,133 @@
+#include "node_options.hpp"
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <sstream>
+
+#include <ros/names.h>
+#include <ros/param.h>
+#include <ros/this_node.h>
+
+namespace rigid_body_sim {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+std::string quoted(XmlRpcValue value) {
+  std::ostringstream text;
+  if (value.getType() == XmlRpcValue::TypeBoolean)
+    text << std::boolalpha << static_cast<bool&>(value);
+  else
+    value.write(text);
+  return "'" + text.str() + "'";
+}
+
+[[noreturn]] void refuse(const std::string& name, const XmlRpcValue& value,
+                         const std::string& rule) {
+  throw ParameterError("parameter ~" + name + ": must be " + rule + ", got " + quoted(value));
+}
+
+std::string readText(const std::string& name, XmlRpcValue value) {
+  if (value.getType() != XmlRpcValue::TypeString || static_cast<std::string&>(value).empty())
+    refuse(name, value, "a string that is not empty");
+  return static_cast<std::string&>(value);
+}
+
+bool readBool(const std::string& name, XmlRpcValue value) {
+  if (value.getType() != XmlRpcValue::TypeBoolean) refuse(name, value, "true or false");
+  return static_cast<bool&>(value);
+}
+
+/// NaN unless the value is a number.
+double number(XmlRpcValue value) {
+  if (value.getType() == XmlRpcValue::TypeInt) return static_cast<int&>(value);
+  if (value.getType() == XmlRpcValue::TypeDouble) return static_cast<double&>(value);
+  return std::nan("");
+}
+
+double readPositive(const std::string& name, XmlRpcValue value) {
+  const double x = number(value);
+  if (!std::isfinite(x) || !(x > 0)) refuse(name, value, "a finite number > 0");
+  return x;
+}
+
+double readNotNegative(const std::string& name, XmlRpcValue value) {
+  const double x = number(value);
+  if (!std::isfinite(x) || !(x >= 0)) refuse(name, value, "a finite number >= 0");
+  return x;
+}
+
+using Reader = std::function<void(const std::string& name, const XmlRpcValue&, NodeOptions&)>;
+
+template <class T>
+Reader into(T NodeOptions::*field, T (*read)(const std::string&, XmlRpcValue)) {
+  return [=](const std::string& name, const XmlRpcValue& value, NodeOptions& options) {
+    options.*field = read(name, value);
+  };
+}
+
+const std::map<std::string, Reader>& readers() {
+  static const std::map<std::string, Reader> table{
+      {"clock_rate", into(&NodeOptions::clock_rate, readPositive)},
+      {"publish_clock", into(&NodeOptions::publish_clock, readBool)},
+      {"publish_rate", into(&NodeOptions::publish_rate, readPositive)},
+      {"real_time_factor", into(&NodeOptions::real_time_factor, readNotNegative)},
+      {"reset_time", into(&NodeOptions::reset_time, readBool)},
+      {"scene", into(&NodeOptions::scene_text, readText)},
+      {"scene_file", into(&NodeOptions::scene_file, readText)},
+      {"start_paused", into(&NodeOptions::start_paused, readBool)},
+      {"wrench_timeout", into(&NodeOptions::wrench_timeout, readNotNegative)},
+  };
+  return table;
+}
+
+std::string knownNames() {
+  std::string names;
+  for (const auto& [name, reader] : readers()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+}  // namespace
+
+NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
+  NodeOptions options;
+  if (parameters.getType() == XmlRpcValue::TypeStruct) {
+    XmlRpcValue copy = parameters;
+    for (const auto& [name, value] : copy) {
+      const auto reader = readers().find(name);
+      if (reader == readers().end())
+        throw ParameterError("parameter ~" + name + ": unknown, got " + quoted(value) +
+                             "; known: " + knownNames());
+      reader->second(name, value, options);
+    }
+  }
+  if (options.scene_file.empty() == options.scene_text.empty()) {
+    const std::string found = options.scene_file.empty() ? "neither" : "both";
+    throw ParameterError("parameters ~scene_file, ~scene: exactly one must be given, got " + found);
+  }
+  return options;
+}
+
+void checkClockOptions(const NodeOptions& options, bool use_sim_time) {
+  if (options.publish_clock && !use_sim_time)
+    throw ParameterError(
+        "parameter ~publish_clock: must be false unless /use_sim_time is true, got 'true'; nobody "
+        "would follow the clock");
+  if (!options.publish_clock && use_sim_time)
+    throw ParameterError(
+        "parameter ~publish_clock: must be true when /use_sim_time is true, got 'false'; the "
+        "stamps would follow another clock than the other nodes");
+}
+
+NodeOptions loadNodeOptions() {
+  XmlRpcValue parameters;
+  ros::param::get(ros::this_node::getName(), parameters);
+  const NodeOptions options = toNodeOptions(parameters);
+  bool use_sim_time = false;
+  ros::param::get("/use_sim_time", use_sim_time);
+  checkClockOptions(options, use_sim_time);
+  return options;
+}
+
+}  // namespace rigid_body_sim

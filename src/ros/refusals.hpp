@@ -1,0 +1,21 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace rigid_body_sim {
+
+/// Counts refused input and warns of it at most once a second of wall time.
+class Refusals {
+ public:
+  void add(const std::string& reason);
+
+  std::int64_t count() const { return count_; }
+
+ private:
+  std::int64_t count_ = 0;
+  std::chrono::steady_clock::time_point next_warning_;
+};
+
+}  // namespace rigid_body_sim

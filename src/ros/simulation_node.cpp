@@ -1,0 +1,139 @@
+#include "simulation_node.hpp"
+
+#include <algorithm>
+
+#include <rigid_body_sim/scene/build_world.hpp>
+
+namespace rigid_body_sim {
+namespace {
+
+/// Longest wait for a callback [s]: how soon a shutdown is seen.
+constexpr double kLongestWait = 0.05;
+
+Simulation makeSimulation(const Scene& scene) {
+  World world = buildWorld(scene);
+  State initial = initialState(scene, world);
+  return Simulation(std::move(world), std::move(initial));
+}
+
+ros::NodeHandle onQueue(const std::string& name_space, ros::CallbackQueue& queue) {
+  ros::NodeHandle nh(name_space);
+  nh.setCallbackQueue(&queue);
+  return nh;
+}
+
+TimeOrigin startOf(const NodeOptions& options) {
+  if (options.publish_clock) return {ros::Time()};
+  const ros::WallTime now = ros::WallTime::now();
+  return {ros::Time(now.sec, now.nsec)};
+}
+
+std::vector<std::string> movingBodies(const World& world) {
+  std::vector<std::string> names;
+  for (const Body& body : world.bodies) {
+    if (!body.fixed) names.push_back(body.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
+    : options_(options),
+      simulation_(makeSimulation(scene)),
+      frames_(scene, simulation_.world().bodies),
+      rules_{scene.world_frame, options.wrench_timeout},
+      origin_(startOf(options)),
+      pacer_(options.real_time_factor),
+      paused_(options.start_paused),
+      nh_(onQueue("", queue_)),
+      private_nh_(onQueue("~", queue_)),
+      outputs_(nh_, private_nh_, options, scene, simulation_.world(), simulation_.state(), origin_),
+      doors_(nh_, private_nh_, movingBodies(simulation_.world()), origin_,
+             [this](const WrenchRequest& request) { take(request); }),
+      pause_service_(private_nh_.advertiseService("pause", &SimulationNode::pause, this)),
+      step_service_(private_nh_.advertiseService("step", &SimulationNode::stepPaused, this)),
+      reset_service_(private_nh_.advertiseService("reset", &SimulationNode::reset, this)) {}
+
+void SimulationNode::run() {
+  pacer_.restart(simulation_.time(), Pacer::Clock::now());
+  if (!paused_) outputs_.publishDue(simulation_.state());
+  while (ros::ok()) {
+    serveUntilDue();
+    if (!paused_ && ros::ok()) step();
+  }
+}
+
+/// Serves callbacks until the next step is due; while paused, for a moment.
+void SimulationNode::serveUntilDue() {
+  queue_.callAvailable();
+  if (paused_) {
+    queue_.callAvailable(ros::WallDuration(kLongestWait));
+    return;
+  }
+  const double t_next = simulation_.time() + simulation_.world().solver.time_step;
+  while (!paused_ && ros::ok()) {
+    const double wait = pacer_.wait(t_next, Pacer::Clock::now());
+    if (wait <= 0) return;
+    queue_.callAvailable(ros::WallDuration(std::min(wait, kLongestWait)));
+  }
+}
+
+void SimulationNode::step() {
+  const double h = simulation_.world().solver.time_step;
+  pacer_.begin(simulation_.time() + h, h, Pacer::Clock::now());
+  simulation_.step();
+  outputs_.publishDue(simulation_.state());
+}
+
+void SimulationNode::take(const WrenchRequest& request) {
+  const ResolvedWrench resolved =
+      takeWrench(request, simulation_.world().bodies, frames_, rules_, simulation_.time());
+  if (resolved.fault.empty())
+    simulation_.applyWrench(request.slot, resolved.wrench);
+  else
+    refusals_.add(resolved.fault);
+}
+
+bool SimulationNode::pause(std_srvs::SetBool::Request& request,
+                           std_srvs::SetBool::Response& response) {
+  if (paused_ && !request.data) {
+    pacer_.restart(simulation_.time(), Pacer::Clock::now());
+    outputs_.publishDue(simulation_.state());
+  }
+  paused_ = request.data;
+  response.success = true;
+  response.message = paused_ ? "paused" : "running";
+  return true;
+}
+
+bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response) {
+  response.success = paused_;
+  if (!paused_) response.message = "not paused: step moves a paused simulation only";
+  try {
+    for (std::uint32_t i = 0; response.success && i < request.steps && ros::ok(); ++i) {
+      simulation_.step();
+      outputs_.publishDue(simulation_.state());
+    }
+    if (response.success && request.steps > 0) outputs_.publishNow(simulation_.state());
+  } catch (const SimulationDiverged& error) {
+    // paused: the last finite state waits for a reset
+    ROS_FATAL("%s", error.what());
+    response.success = false;
+    response.message = error.what();
+  }
+  response.stamp = origin_.stamp(simulation_.time());
+  return true;
+}
+
+bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  simulation_.reset(options_.reset_time);
+  if (options_.reset_time) outputs_.restart();
+  pacer_.restart(simulation_.time(), Pacer::Clock::now());
+  response.success = true;
+  response.message =
+      options_.reset_time ? "initial states, time at the start" : "initial states, time runs on";
+  return true;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <rigid_body_sim/Step.h>
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/scene/frames.hpp>
+
+#include "node_options.hpp"
+#include "outputs.hpp"
+#include "pacer.hpp"
+#include "refusals.hpp"
+#include "wrench_doors.hpp"
+#include "wrench_intake.hpp"
+
+namespace rigid_body_sim {
+
+/// A scene that lives in ROS. One thread, that of run(), owns the state: messages and services are
+/// served from a queue of its own, between steps.
+class SimulationNode {
+ public:
+  /// Throws SceneError for a scene that cannot be simulated. Needs ros::init.
+  SimulationNode(const NodeOptions& options, const Scene& scene);
+
+  /// Steps and serves until ROS shuts down. Throws SimulationDiverged.
+  void run();
+
+ private:
+  void serveUntilDue();
+  void step();
+  void take(const WrenchRequest& request);
+
+  bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool stepPaused(Step::Request& request, Step::Response& response);
+  bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+  NodeOptions options_;
+  Simulation simulation_;
+  FrameTable frames_;
+  IntakeRules rules_;
+  TimeOrigin origin_;
+  Pacer pacer_;
+  Refusals refusals_;
+  bool paused_;
+
+  ros::CallbackQueue queue_;
+  ros::NodeHandle nh_;
+  ros::NodeHandle private_nh_;
+  Outputs outputs_;
+  WrenchDoors doors_;
+  ros::ServiceServer pause_service_;
+  ros::ServiceServer step_service_;
+  ros::ServiceServer reset_service_;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include <geometry_msgs/WrenchStamped.h>
+
+#include <rigid_body_sim/AppliedWrench.h>
+
+#include "conversions.hpp"
+#include "wrench_request.hpp"
+
+namespace rigid_body_sim {
+
+/// The request of a message on <body>/wrench: one slot for each frame, at the next step, held.
+WrenchRequest toRequest(const std::string& body, const geometry_msgs::WrenchStamped& message);
+
+/// The request of a message on `wrench`: one slot for each id; start as ROS time, zero: next step.
+WrenchRequest toRequest(const AppliedWrench_<std::allocator<void>>& message,
+                        const TimeOrigin& origin);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,95 @@
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "csv_writer.hpp"
+#include "progress_bar.hpp"
+#include "run_summary.hpp"
+#include "simulate_options.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+enum ExitCode { kDone = 0, kBadInput = 1, kWrongUsage = 2, kDiverged = 3 };
+
+Scene sceneOf(const SimulateOptions& options) {
+  Scene scene = loadScene(options.scene);
+  scene.time_step = options.time_step.value_or(scene.time_step);
+  scene.tolerance = options.tolerance.value_or(scene.tolerance);
+  scene.integrator = options.integrator.value_or(scene.integrator);
+  return scene;
+}
+
+/// The state at time t, to which the simulation is stepped as far as whole steps go.
+State stateAt(Simulation& simulation, double t) {
+  // an instant that a step misses by rounding is that step's
+  const double h = simulation.world().solver.time_step;
+  const auto whole_steps = static_cast<std::int64_t>(std::floor(t / h + 1e-6));
+  while (simulation.steps() < whole_steps) simulation.step();
+  return t - simulation.time() < 1e-6 * h ? simulation.state() : simulation.sample(t);
+}
+
+/// Runs to the end, a row at every sample and at the end. Returns the last state.
+State simulate(Simulation& simulation, double duration, double sample, CsvWriter* csv) {
+  const World& world = simulation.world();
+  const auto samples = static_cast<std::int64_t>(std::ceil(duration / sample - 1e-6));
+  ProgressBar bar;
+  State state = simulation.state();
+  if (csv) csv->write(world, state);
+  for (std::int64_t k = 1; k <= samples; ++k) {
+    state = stateAt(simulation, k == samples ? duration : static_cast<double>(k) * sample);
+    if (csv) csv->write(world, state);
+    bar.show(static_cast<double>(k) / static_cast<double>(samples));
+  }
+  return state;
+}
+
+void run(const SimulateOptions& options) {
+  const Scene scene = sceneOf(options);
+  const World world = buildWorld(scene);
+  const State first = initialState(scene, world);
+  Simulation simulation(world, first);
+  std::unique_ptr<CsvWriter> csv;
+  if (options.csv) csv = std::make_unique<CsvWriter>(*options.csv);
+
+  const double duration = options.duration.value_or(world.solver.horizon);
+  const auto begin = std::chrono::steady_clock::now();
+  const State last =
+      simulate(simulation, duration, options.sample.value_or(scene.time_step), csv.get());
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  if (csv) csv->finish();
+
+  std::FILE* out = options.csv == "-" ? stderr : stdout;
+  std::fprintf(out, "%s: %.6g s in steps of %.6g s with %s, in %.3g s\n", options.scene.c_str(),
+               last.t, world.solver.time_step, world.solver.integrator.c_str(), wall.count());
+  std::fputs(runSummary(world, first, last).c_str(), out);
+}
+
+}  // namespace
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  using namespace rigid_body_sim;
+  try {
+    const SimulateOptions options = parseSimulateOptions(argc, argv);
+    if (options.help)
+      std::fputs(simulateHelp().c_str(), stdout);
+    else
+      run(options);
+    return kDone;
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "simulate: %s (simulate --help)\n", error.what());
+    return kWrongUsage;
+  } catch (const SimulationDiverged& error) {
+    std::fprintf(stderr, "simulate: %s\n", error.what());
+    return kDiverged;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "simulate: %s\n", error.what());
+    return kBadInput;
+  }
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace rigid_body_sim {
+
+/// What the command line of `simulate` says; absent means as the scene says.
+struct SimulateOptions {
+  std::string scene;
+  std::optional<double> duration;         ///< [s] > 0
+  std::optional<double> sample;           ///< [s] > 0, time between rows
+  std::optional<double> time_step;        ///< [s] > 0
+  std::optional<double> tolerance;        ///< > 0
+  std::optional<std::string> integrator;  ///< a name of the catalogue
+  std::optional<std::string> csv;         ///< file; "-": standard output
+  bool help = false;
+};
+
+/// Wrong usage; what() is one line.
+class UsageError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Throws UsageError for an unknown option, a value that is no number > 0, or no scene.
+SimulateOptions parseSimulateOptions(int argc, char** argv);
+
+/// The text of --help.
+std::string simulateHelp();
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,37 @@
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <rosgraph_msgs/Clock.h>
+
+#include "node_driver.hpp"
+
+namespace rigid_body_sim {
+
+TEST(Clock, RunsFromZeroAtTheClockRateBesideTheOdometry) {
+  ros::NodeHandle nh;
+  std::vector<ros::Time> clock;
+  std::vector<ros::Time> odometry;
+  const boost::function<void(const rosgraph_msgs::Clock&)> hear_clock =
+      [&](const rosgraph_msgs::Clock& message) { clock.push_back(message.clock); };
+  const boost::function<void(const nav_msgs::Odometry&)> hear_odometry =
+      [&](const nav_msgs::Odometry& message) { odometry.push_back(message.header.stamp); };
+  const ros::Subscriber a = nh.subscribe<rosgraph_msgs::Clock>("/clock", 100000, hear_clock);
+  const ros::Subscriber b = nh.subscribe<nav_msgs::Odometry>("box/odom", 100000, hear_odometry);
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return clock.size() > 100 && odometry.size() > 100; }));
+  // an hour of wall time since 1970 it is not
+  EXPECT_LT(clock.front(), ros::Time(3600));
+  for (std::size_t i = 1; i < clock.size(); ++i)
+    ASSERT_EQ(clock[i] - clock[i - 1], ros::Duration(0, 20000000));  // 50 Hz
+  for (std::size_t i = 1; i < odometry.size(); ++i)
+    ASSERT_EQ(odometry[i] - odometry[i - 1], ros::Duration(0, 40000000));  // 25 Hz
+}
+
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "test_clock");
+  ::testing::InitGoogleTest(&argc, argv);
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "markers.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using visualization_msgs::Marker;
+
+Marker markerOf(const std::string& body_lines) {
+  const Scene scene =
+      parseScene("time_step: 0.01\nbodies: [{name: a, " + body_lines + "}]", "test");
+  const auto markers = toMarkers(scene, buildWorld(scene)).markers;
+  EXPECT_EQ(markers.size(), 1U);
+  EXPECT_EQ(markers.at(0).header.frame_id, "a");
+  EXPECT_TRUE(markers.at(0).frame_locked);
+  return markers.at(0);
+}
+
+void expectScale(const Marker& marker, double x, double y, double z) {
+  EXPECT_DOUBLE_EQ(marker.scale.x, x);
+  EXPECT_DOUBLE_EQ(marker.scale.y, y);
+  EXPECT_DOUBLE_EQ(marker.scale.z, z);
+}
+
+}  // namespace
+
+TEST(Markers, DrawTheShape) {
+  const Marker box = markerOf("shape: {box: [1, 2, 3]}, mass: 1");
+  EXPECT_EQ(box.type, Marker::CUBE);
+  expectScale(box, 1, 2, 3);
+  const Marker sphere = markerOf("shape: {sphere: {radius: 2}}, mass: 1");
+  EXPECT_EQ(sphere.type, Marker::SPHERE);
+  expectScale(sphere, 4, 4, 4);
+  const Marker cylinder = markerOf("shape: {cylinder: {radius: 2, length: 5}}, mass: 1");
+  EXPECT_EQ(cylinder.type, Marker::CYLINDER);
+  expectScale(cylinder, 4, 4, 5);
+}
+
+TEST(Markers, HaveTheColourOfTheScene) {
+  const Marker marker =
+      markerOf("shape: {box: [1, 2, 3]}, mass: 1, visual: {color: [0.25, 0.5, 0.75, 1]}");
+  EXPECT_EQ(marker.color.r, 0.25F);
+  EXPECT_EQ(marker.color.g, 0.5F);
+  EXPECT_EQ(marker.color.b, 0.75F);
+  EXPECT_EQ(marker.color.a, 1.0F);
+}
+
+TEST(Markers, DrawGivenInertiaAsTheBoxThatHasIt) {
+  // the box 1 x 2 x 3 m of 12 kg, its principal moments in descending order of side
+  const Marker marker =
+      markerOf("mass: 12, inertia: {ixx: 13, iyy: 10, izz: 5}, center_of_mass: [0.1, 0.2, 0.3]");
+  EXPECT_EQ(marker.type, Marker::CUBE);
+  EXPECT_NEAR(marker.scale.x * marker.scale.y * marker.scale.z, 6, 1e-12);
+  EXPECT_NEAR(marker.pose.position.z, 0.3, 1e-15);
+  // the longest side lies along z, the axis of the least moment
+  EXPECT_NEAR(marker.scale.x, 3, 1e-12);
+  const auto& q = marker.pose.orientation;
+  const Vector3d longest = Quaterniond(q.w, q.x, q.y, q.z) * Vector3d::UnitX();
+  EXPECT_NEAR(std::abs(longest.z()), 1, 1e-12);
+}
+
+}  // namespace rigid_body_sim

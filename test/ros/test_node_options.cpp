@@ -1,0 +1,113 @@
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "node_options.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+XmlRpc::XmlRpcValue withScene() {
+  XmlRpc::XmlRpcValue parameters;
+  parameters["scene_file"] = "top.yaml";
+  return parameters;
+}
+
+std::string refusalOf(const XmlRpc::XmlRpcValue& parameters) {
+  try {
+    toNodeOptions(parameters);
+  } catch (const ParameterError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+template <class T>
+std::string refusalOf(const char* name, const T& value) {
+  XmlRpc::XmlRpcValue parameters = withScene();
+  parameters[name] = value;
+  return refusalOf(parameters);
+}
+
+}  // namespace
+
+TEST(NodeOptions, AreTheDocumentedDefaults) {
+  const NodeOptions options = toNodeOptions(withScene());
+  EXPECT_EQ(options.scene_file, "top.yaml");
+  EXPECT_EQ(options.publish_rate, 100);
+  EXPECT_EQ(options.clock_rate, 100);
+  EXPECT_FALSE(options.publish_clock);
+  EXPECT_EQ(options.real_time_factor, 1);
+  EXPECT_EQ(options.wrench_timeout, 0.5);
+  EXPECT_FALSE(options.reset_time);
+  EXPECT_FALSE(options.start_paused);
+}
+
+TEST(NodeOptions, TakeEveryParameter) {
+  XmlRpc::XmlRpcValue parameters;
+  parameters["scene"] = "time_step: 1";
+  parameters["publish_rate"] = 12.5;
+  parameters["clock_rate"] = 50;  // an int where a double is asked
+  parameters["publish_clock"] = true;
+  parameters["real_time_factor"] = 0;
+  parameters["wrench_timeout"] = 0.0;
+  parameters["reset_time"] = true;
+  parameters["start_paused"] = true;
+  const NodeOptions options = toNodeOptions(parameters);
+  EXPECT_EQ(options.scene_text, "time_step: 1");
+  EXPECT_EQ(options.publish_rate, 12.5);
+  EXPECT_EQ(options.clock_rate, 50);
+  EXPECT_TRUE(options.publish_clock);
+  EXPECT_EQ(options.real_time_factor, 0);
+  EXPECT_EQ(options.wrench_timeout, 0);
+  EXPECT_TRUE(options.reset_time);
+  EXPECT_TRUE(options.start_paused);
+}
+
+TEST(NodeOptions, NeedExactlyOneScene) {
+  XmlRpc::XmlRpcValue both = withScene();
+  both["scene"] = "time_step: 1";
+  EXPECT_EQ(refusalOf(both), "parameters ~scene_file, ~scene: exactly one must be given, got both");
+  EXPECT_EQ(refusalOf(XmlRpc::XmlRpcValue()),
+            "parameters ~scene_file, ~scene: exactly one must be given, got neither");
+}
+
+TEST(NodeOptions, RefuseAnUnknownName) {
+  EXPECT_EQ(refusalOf("publish_rat", 10),
+            "parameter ~publish_rat: unknown, got '10'; known: clock_rate, publish_clock, "
+            "publish_rate, real_time_factor, reset_time, scene, scene_file, start_paused, "
+            "wrench_timeout");
+}
+
+TEST(NodeOptions, RefuseAWrongType) {
+  EXPECT_EQ(refusalOf("publish_rate", "fast"),
+            "parameter ~publish_rate: must be a finite number > 0, got 'fast'");
+  EXPECT_EQ(refusalOf("start_paused", 1),
+            "parameter ~start_paused: must be true or false, got '1'");
+  EXPECT_EQ(refusalOf("scene_file", 3),
+            "parameter ~scene_file: must be a string that is not empty, got '3'");
+  EXPECT_EQ(refusalOf("real_time_factor", true),
+            "parameter ~real_time_factor: must be a finite number >= 0, got 'true'");
+}
+
+TEST(NodeOptions, RefuseAValueOutsideItsRule) {
+  EXPECT_EQ(refusalOf("publish_rate", 0),
+            "parameter ~publish_rate: must be a finite number > 0, got '0'");
+  EXPECT_EQ(refusalOf("wrench_timeout", -1),
+            "parameter ~wrench_timeout: must be a finite number >= 0, got '-1'");
+  EXPECT_NE(refusalOf("clock_rate", std::nan("")), "accepted");
+  EXPECT_NE(refusalOf("real_time_factor", std::numeric_limits<double>::infinity()), "accepted");
+}
+
+TEST(NodeOptions, RefuseTwoClocks) {
+  NodeOptions options;
+  EXPECT_NO_THROW(checkClockOptions(options, false));
+  EXPECT_THROW(checkClockOptions(options, true), ParameterError);
+  options.publish_clock = true;
+  EXPECT_NO_THROW(checkClockOptions(options, true));
+  EXPECT_THROW(checkClockOptions(options, false), ParameterError);
+}
+
+}  // namespace rigid_body_sim

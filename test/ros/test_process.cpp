@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace rigid_body_sim {
+namespace {
+
+struct Outcome {
+  int exit_code;
+  std::string errors;
+};
+
+std::string freshName() {
+  static int count = 0;
+  return "probe_" + std::to_string(++count);
+}
+
+/// Runs the node with the arguments, one string as a shell takes it, until it ends by itself.
+Outcome runNode(const std::string& arguments) {
+  // a name of its own: private parameters stay on the server
+  const std::string command = std::string(RIGID_BODY_SIM_NODE) + " __name:=" + freshName() + " " +
+                              arguments + " 2>&1 >/dev/null";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Outcome outcome{-1, ""};
+  char buffer[4096];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+    outcome.errors.append(buffer, n);
+  outcome.exit_code = WEXITSTATUS(pclose(pipe));
+  return outcome;
+}
+
+std::string sceneFile(const std::string& yaml) {
+  const std::string path = ::testing::TempDir() + "node_test_scene.yaml";
+  std::ofstream(path) << yaml;
+  return path;
+}
+
+/// Starts the node, waits for its services, and sends it the signal. Returns its exit code.
+int exitCodeAfter(int signal) {
+  const std::string name = freshName();
+  const pid_t child = fork();
+  if (child == 0) {
+    execl(RIGID_BODY_SIM_NODE, "rigid_body_node", ("__name:=" + name).c_str(),
+          "_scene_file:=" RIGID_BODY_SIM_TEST_SCENE, static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  const bool up = ros::service::waitForService(name + "/reset", 20000);
+  kill(child, signal);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return up && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+struct Refusal {
+  const char* arguments;
+  const char* line;
+};
+
+class RefusedStart : public ::testing::TestWithParam<Refusal> {};
+
+TEST_P(RefusedStart, SaysWhyInOneLineAndExitsWithOne) {
+  const Outcome run = runNode(GetParam().arguments);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.errors.find(GetParam().line), std::string::npos) << run.errors;
+  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+}
+
+#define SCENE "_scene_file:=" RIGID_BODY_SIM_TEST_SCENE
+INSTANTIATE_TEST_SUITE_P(
+    Node, RefusedStart,
+    ::testing::Values(
+        Refusal{"", "exactly one must be given, got neither"},
+        Refusal{SCENE " _scene:='time_step: 1'", "exactly one must be given, got both"},
+        Refusal{SCENE " _publish_rate:=-1", "~publish_rate: must be a finite number > 0, got '-1'"},
+        Refusal{SCENE " _publish_rate:=fast", "~publish_rate: must be a finite number > 0"},
+        Refusal{SCENE " _wrench_timeout:=-0.5", "~wrench_timeout: must be a finite number >= 0"},
+        Refusal{SCENE " _start_paused:=1", "~start_paused: must be true or false, got '1'"},
+        Refusal{SCENE " _publish_rat:=1", "~publish_rat: unknown, got '1'; known: clock_rate"},
+        Refusal{SCENE " _publish_clock:=true", "~publish_clock: must be false unless"},
+        Refusal{"_scene_file:=absent.yaml", "absent.yaml: cannot be opened"},
+        Refusal{"_scene:='time_step: -1'", "parameter ~scene:1: "}));
+
+TEST(Node, ExitsWithThreeWhenTheSimulationDiverges) {
+  const std::string scene = sceneFile(R"(
+time_step: 1.0
+bodies: [{name: rocket, shape: {sphere: {radius: 1}}, mass: 1.0e-300}]
+wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}]
+)");
+  const Outcome run = runNode("_real_time_factor:=0 _scene_file:=" + scene);
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.errors.find("body 'rocket'"), std::string::npos) << run.errors;
+  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+}
+
+TEST(Node, EndsCleanlyOnSigint) { EXPECT_EQ(exitCodeAfter(SIGINT), 0); }
+
+TEST(Node, EndsCleanlyOnSigterm) { EXPECT_EQ(exitCodeAfter(SIGTERM), 0); }
+
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "test_process");
+  ::testing::InitGoogleTest(&argc, argv);
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}

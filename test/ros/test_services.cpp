@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <rigid_body_sim/Step.h>
+
+#include "node_driver.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+constexpr double kTolerance = 1e-12;  // the same steps; conversions round in the last digits
+const ros::Duration kStep(0, 10000000);
+
+class Services : public ::testing::Test {
+ protected:
+  Services() : driver({"box", "canary"}), reference(RIGID_BODY_SIM_TEST_SCENE) {
+    driver.pause(true);
+    driver.connect();
+    driver.reset();
+  }
+
+  void expectStrictlyIncreasingStamps() const {
+    for (std::size_t i = 1; i < driver.stamps().size(); ++i)
+      ASSERT_LT(driver.stamps()[i - 1], driver.stamps()[i]) << "message " << i;
+  }
+
+  NodeDriver driver;
+  ReferenceRun reference;
+};
+
+}  // namespace
+
+TEST_F(Services, StepAnswersWhenTheStepsAreDoneAndPublished) {
+  const ros::Time before = driver.step(0);
+  EXPECT_EQ(driver.step(1), before + kStep);
+  EXPECT_EQ(driver.step(250), before + kStep * 251);
+  for (int i = 0; i < 251; ++i) reference.step();
+  EXPECT_LT(distance(driver.motion("box"), reference.motion("box")), kTolerance);
+  expectStrictlyIncreasingStamps();
+}
+
+TEST_F(Services, StepIsRefusedWhileTheSimulationRuns) {
+  driver.pause(false);
+  Step call;
+  call.request.steps = 1;
+  ASSERT_TRUE(ros::service::call("rigid_body_node/step", call));
+  EXPECT_FALSE(call.response.success);
+  EXPECT_NE(call.response.message, "");
+}
+
+TEST_F(Services, PauseSilencesEveryTopicUntilTheNextStep) {
+  driver.pause(false);
+  const std::size_t heard = driver.stamps().size();
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return driver.stamps().size() > heard + 50; }));
+  driver.pause(true);
+  const ros::Time paused_at = driver.step(0);
+  const ros::Time next = driver.step(1);
+  EXPECT_EQ(next, paused_at + kStep);
+  ASSERT_GE(driver.stamps().size(), 2U);
+  EXPECT_EQ(driver.stamps().back(), next);
+  EXPECT_LE(driver.stamps()[driver.stamps().size() - 2], paused_at);
+  expectStrictlyIncreasingStamps();
+}
+
+TEST_F(Services, RunningPublishesAtThePublishRateWithStampsOfTheSteps) {
+  driver.pause(false);
+  const std::size_t first = driver.stamps().size();
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return driver.stamps().size() > first + 100; }));
+  driver.pause(true);
+  for (std::size_t i = first + 1; i < driver.stamps().size(); ++i)
+    ASSERT_EQ(driver.stamps()[i] - driver.stamps()[i - 1], kStep);
+}
+
+TEST_F(Services, ResetGoesBackToTheInitialStateWhileTimeRunsOn) {
+  driver.step(123);
+  const ros::Time before = driver.step(0);
+  driver.reset();
+  EXPECT_EQ(driver.step(1), before + kStep);
+  reference.step();
+  EXPECT_LT(distance(driver.motion("box"), reference.motion("box")), kTolerance);
+  expectStrictlyIncreasingStamps();
+}
+
+TEST_F(Services, MarkersAndFixedFramesReachALateSubscriber) {
+  ros::NodeHandle nh;
+  visualization_msgs::MarkerArray markers;
+  tf2_msgs::TFMessage frames;
+  const boost::function<void(const visualization_msgs::MarkerArray&)> hear_markers =
+      [&](const visualization_msgs::MarkerArray& message) { markers = message; };
+  const boost::function<void(const tf2_msgs::TFMessage&)> hear_frames =
+      [&](const tf2_msgs::TFMessage& message) { frames = message; };
+  const ros::Subscriber a =
+      nh.subscribe<visualization_msgs::MarkerArray>("rigid_body_node/markers", 10, hear_markers);
+  const ros::Subscriber b = nh.subscribe<tf2_msgs::TFMessage>("/tf_static", 10, hear_frames);
+  ASSERT_TRUE(
+      NodeDriver::waitFor([&] { return !markers.markers.empty() && !frames.transforms.empty(); }));
+  EXPECT_EQ(markers.markers.size(), 3U);
+  ASSERT_EQ(frames.transforms.size(), 3U);
+  EXPECT_EQ(frames.transforms[0].child_frame_id, "box/tip");
+  EXPECT_EQ(frames.transforms[0].header.frame_id, "box");
+  EXPECT_EQ(frames.transforms[1].child_frame_id, "post");
+  EXPECT_EQ(frames.transforms[1].header.frame_id, "world");
+  EXPECT_EQ(frames.transforms[2].child_frame_id, "post/top");
+}
+
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "test_services");
+  ::testing::InitGoogleTest(&argc, argv);
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <rigid_body_sim/dynamics/rotor.hpp>
+
+#include "support/body_families.hpp"
+#include "support/reference_free_rotation.hpp"
+
+namespace rigid_body_sim {
+
+inline FreeRotation<double> freeRotation(const SpinningBody& body) {
+  return Rotor<double>(body.I).from(body.q_WP, body.L_P, body.L_W());
+}
+
+/// The reference at t. Its L_P has the magnitude of L_W: to a unit of rounding the two accounts of
+/// the angular momentum are two motions, and the rotor's is this one.
+template <class R = long double>
+ReferenceFreeRotation<R> referenceAt(const SpinningBody& body, double t) {
+  const Vector3<long double> L_P = body.L_P.cast<long double>();
+  const long double magnitude = body.L_W().cast<long double>().stableNorm();
+  ReferenceFreeRotation<R> reference(body.I, body.q_WP, L_P.stableNormalized() * magnitude);
+  reference.advance(R(t));
+  return reference;
+}
+
+/// [rad]
+inline double attitudeError(const SpinningBody& body, double t) {
+  return angleToReference(freeRotation(body).at(t).q_WP, referenceAt(body, t).state());
+}
+
+/// How many times the attitude at t moves further than a component of L_P or I that is changed by
+/// one unit of rounding; at least 1.
+inline double condition(const SpinningBody& body, double t) {
+  constexpr double kEps = std::numeric_limits<double>::epsilon();
+  const ReferenceFreeRotation<long double> reference = referenceAt(body, t);
+  double worst = 1;
+  for (int i = 0; i < 6; ++i) {
+    SpinningBody changed = body;
+    double& component = i < 3 ? changed.L_P(i) : changed.I(i - 3);
+    component *= 1 + kEps;
+    const auto q = referenceAt(changed, t).state().q;
+    const Quaterniond moved = Quaternion<long double>(q[0], q[1], q[2], q[3]).cast<double>();
+    worst = std::max(worst, angleToReference(moved, reference.state()) / kEps);
+  }
+  return worst;
+}
+
+}  // namespace rigid_body_sim

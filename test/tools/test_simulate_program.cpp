@@ -1,0 +1,142 @@
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+namespace rigid_body_sim {
+namespace {
+
+struct Outcome {
+  int exit_code;
+  std::string out;
+};
+
+/// Runs `simulate` with the arguments, one string as a shell takes it.
+Outcome simulate(const std::string& arguments) {
+  const std::string command = std::string(RIGID_BODY_SIM_SIMULATE) + " " + arguments;
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Outcome outcome{-1, ""};
+  char buffer[4096];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+    outcome.out.append(buffer, n);
+  outcome.exit_code = WEXITSTATUS(pclose(pipe));
+  return outcome;
+}
+
+std::string scenePath(const std::string& name) {
+  return std::string(RIGID_BODY_SIM_SCENES) + "/" + name;
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+/// The numbers of a row; the body's name reads as zero.
+std::vector<double> numbers(const std::string& row) {
+  std::vector<double> all;
+  std::istringstream stream(row);
+  for (std::string field; std::getline(stream, field, ',');)
+    all.push_back(std::strtod(field.c_str(), nullptr));
+  return all;
+}
+
+std::string sceneFile(const std::string& yaml) {
+  const std::string path = ::testing::TempDir() + "simulate_test_scene.yaml";
+  std::ofstream(path) << yaml;
+  return path;
+}
+
+}  // namespace
+
+TEST(Simulate, WritesARowForEachBodyAndSampleUpToTheEnd) {
+  const Outcome run =
+      simulate(scenePath("demo.yaml") + " --csv - --duration 0.25 --sample 0.1 2>/dev/null");
+  EXPECT_EQ(run.exit_code, 0);
+  const std::vector<std::string> rows = lines(run.out);
+  ASSERT_EQ(rows.size(), 1U + 2 * 4);
+  EXPECT_EQ(rows[0], "time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz");
+  const std::vector<double> times{0, 0.1, 0.2, 0.25};
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    EXPECT_DOUBLE_EQ(numbers(rows[1 + 2 * k])[0], times[k]);
+    EXPECT_NE(rows[1 + 2 * k].find(",box,"), std::string::npos);
+    EXPECT_NE(rows[2 + 2 * k].find(",wing_nut,"), std::string::npos);
+  }
+}
+
+TEST(Simulate, WritesTheVeryNumbersOfTheCore) {
+  const Outcome run = simulate(scenePath("thrown_box.yaml") + " --csv - --duration 1 2>/dev/null");
+  const Scene scene = loadScene(scenePath("thrown_box.yaml"));
+  const World world = buildWorld(scene);
+  Simulation simulation(world, initialState(scene, world));
+  while (simulation.steps() < 100) simulation.step();
+  const BodyFrameMotion m = toBodyFrameMotion(world.bodies[0], simulation.state().bodies[0]);
+
+  const std::vector<std::string> rows = lines(run.out);
+  ASSERT_EQ(rows.size(), 102U);
+  const std::vector<double> expected{1,          0,          m.x_W.x(),  m.x_W.y(),  m.x_W.z(),
+                                     m.q_WB.x(), m.q_WB.y(), m.q_WB.z(), m.q_WB.w(), m.v_W.x(),
+                                     m.v_W.y(),  m.v_W.z(),  m.w_W.x(),  m.w_W.y(),  m.w_W.z()};
+  EXPECT_EQ(numbers(rows.back()), expected);
+}
+
+TEST(Simulate, RunsForTheHorizonOfTheScene) {
+  EXPECT_NE(simulate(scenePath("thrown_box.yaml")).out.find(": 4 s in steps of 0.01 s"),
+            std::string::npos);
+}
+
+TEST(Simulate, TakesMethodAndStepFromTheCommandLine) {
+  EXPECT_NE(simulate(scenePath("demo.yaml") + " --integrator rk4 --time-step 0.02 --duration 1")
+                .out.find(": 1 s in steps of 0.02 s with rk4"),
+            std::string::npos);
+}
+
+TEST(Simulate, ExitsWithOneForBadInput) {
+  const Outcome absent = simulate("absent.yaml 2>&1");
+  EXPECT_EQ(absent.exit_code, 1);
+  EXPECT_EQ(lines(absent.out).size(), 1U);
+  EXPECT_NE(absent.out.find("absent.yaml"), std::string::npos);
+  EXPECT_EQ(simulate(sceneFile("time_step: -1\nbodies: []\n") + " 2>&1").exit_code, 1);
+  EXPECT_EQ(simulate(scenePath("demo.yaml") + " --csv /dev/full 2>&1").exit_code, 1);
+}
+
+TEST(Simulate, ExitsWithTwoForWrongUsage) {
+  for (const char* arguments :
+       {"", "a.yaml b.yaml", "a.yaml --no-such-option", "a.yaml --duration", "a.yaml --duration 1x",
+        "a.yaml --sample 0", "a.yaml --time-step nan"}) {
+    const Outcome run = simulate(std::string(arguments) + " 2>&1");
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_EQ(lines(run.out).size(), 1U) << arguments;
+  }
+}
+
+TEST(Simulate, ExitsWithThreeWhenTheSimulationDiverges) {
+  const std::string scene = sceneFile(R"(
+time_step: 1.0
+bodies: [{name: rocket, shape: {sphere: {radius: 1}}, mass: 1.0e-300}]
+wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}]
+)");
+  const Outcome run = simulate(scene + " 2>&1");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(lines(run.out).size(), 1U);
+  EXPECT_NE(run.out.find("body 'rocket'"), std::string::npos) << run.out;
+}
+
+TEST(Simulate, HelpsOnRequest) {
+  const Outcome run = simulate("--help");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.out.find("usage: simulate SCENE"), std::string::npos);
+}
+
+}  // namespace rigid_body_sim
