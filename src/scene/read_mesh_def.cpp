@@ -1,8 +1,6 @@
 #include <stdexcept>
-#include <utility>
 
-#include <rigid_body_sim/mass/checked_mesh.hpp>
-#include <rigid_body_sim/scene/read_mesh.hpp>
+#include <rigid_body_sim/scene/solid_mesh.hpp>
 
 #include "file_reference.hpp"
 #include "readers.hpp"
@@ -10,19 +8,19 @@
 namespace rigid_body_sim {
 namespace {
 
-/// What the file holds, orientation put right. file: the entry that names it, for messages.
-TriangleMesh solidMesh(const Entry& file, const std::string& path, double scale) {
-  CheckedMesh checked;
+/// The solid of the file that an entry names; a file that two bodies name is read once.
+const MeshDef& solidOf(const Entry& file, const std::string& path, double scale) {
+  ReadContext& context = file.context();
+  const auto known = context.meshes.find({path, scale});
+  if (known != context.meshes.end()) return known->second;
   try {
-    checked = checkedMesh(readMesh(path, scale));
+    const SolidMesh solid = readSolidMesh(path, scale);
+    if (!solid.notice.empty())
+      context.notices.push_back(file.located(file.key() + ": " + solid.notice));
+    return context.meshes[{path, scale}] = solid.def;
   } catch (const std::runtime_error& e) {
     file.fail(file.key() + ": " + e.what());
   }
-  const std::string where = file.key() + ": " + path + ": ";
-  if (!checked.fault.empty()) file.fail(where + checked.fault);
-  if (!checked.notice.empty())
-    file.context().notices.push_back(file.located(where + checked.notice));
-  return std::move(checked.mesh);
 }
 
 }  // namespace
@@ -38,17 +36,8 @@ MeshDef readMeshDef(const Entry& entry) {
   };
   Named named;
   readMapping(entry, keys, named);
-
-  const auto [known, is_new] =
-      entry.context().meshes.try_emplace({named.file.path, named.scale}, MeshDef{});
-  MeshDef& def = known->second;
-  if (is_new) {
-    const Entry file = entry.child(*entry.node().find("file"));
-    const TriangleMesh mesh = solidMesh(file, named.file.path, named.scale);
-    def.scale = named.scale;
-    def.volume = volume(mesh);
-    def.unit = massProperties(mesh, 1);
-  }
+  const Entry file = entry.child(*entry.node().find("file"));
+  MeshDef def = solidOf(file, named.file.path, named.scale);
   def.url = named.file.url;
   return def;
 }
