@@ -7,8 +7,8 @@
 
 namespace rigid_body_sim {
 
-/// One marker for each body, in the body's own frame, so that it follows tf and is sent once: its
-/// mesh, its shape, or, where only inertia is given, the homogeneous box of the same inertia,
+/// Markers of every body, each in its body's own frame, so that they follow tf and are sent once:
+/// its mesh, its shape, or, where only inertia is given, the homogeneous box of the same inertia,
 ///   sideᵢ = √(6 (I_j + I_k − Iᵢ)/m).
 visualization_msgs::MarkerArray toMarkers(const Scene& scene, const World& world);
 

@@ -1,9 +1,13 @@
+#include <cmath>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "markers.hpp"
+#include "shape_markers.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -38,6 +42,43 @@ TEST(Markers, DrawTheShape) {
   const Marker cylinder = markerOf("shape: {cylinder: {radius: 2, length: 5}}, mass: 1");
   EXPECT_EQ(cylinder.type, Marker::CYLINDER);
   expectScale(cylinder, 4, 4, 5);
+}
+
+TEST(Markers, DrawCapsuleEllipsoidAndConeInTheirOwnFrames) {
+  const auto capsule = shapeMarkers(Capsule{0.5, 2});
+  ASSERT_EQ(capsule.size(), 3U);
+  EXPECT_EQ(capsule[0].pose.position.z, -1);
+  EXPECT_EQ(capsule[1].pose.position.z, 1);
+  expectScale(capsule[2], 1, 1, 2);
+  EXPECT_EQ(shapeMarkers(Capsule{0.5, 0}).size(), 2U);
+
+  const auto ellipsoid = shapeMarkers(Ellipsoid{Vector3d(1, 2, 3)});
+  ASSERT_EQ(ellipsoid.size(), 1U);
+  EXPECT_EQ(ellipsoid[0].type, Marker::SPHERE);
+  expectScale(ellipsoid[0], 2, 4, 6);
+
+  const auto cone = shapeMarkers(Cone{2, 4});
+  ASSERT_EQ(cone.size(), 1U);
+  ASSERT_EQ(cone[0].points.size() % 3, 0U);
+  for (const auto& point : cone[0].points) {
+    // on the axis or on the rim, apex at 3/4 of the length
+    const double r = std::hypot(point.x, point.y);
+    EXPECT_TRUE(r == 0 || std::abs(r - 2) < 1e-14);
+    EXPECT_TRUE(point.z == -1 || (point.z == 3 && r == 0));
+  }
+}
+
+TEST(Markers, FindAMeshBesideTheSceneAndLeaveAUrlAlone) {
+  const auto resource = [](const std::string& mesh) {
+    Scene scene = parseScene(
+        "time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]", "test");
+    scene.source = "/scenes/top.yaml";
+    scene.bodies[0].visual.mesh = mesh;
+    return toMarkers(scene, buildWorld(scene)).markers.at(0).mesh_resource;
+  };
+  EXPECT_EQ(resource("package://p/a.stl"), "package://p/a.stl");
+  EXPECT_EQ(resource("../meshes/a.stl"), "file:///meshes/a.stl");
+  EXPECT_EQ(resource("/else/a.stl"), "file:///else/a.stl");
 }
 
 TEST(Markers, HaveTheColourOfTheScene) {
