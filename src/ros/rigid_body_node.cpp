@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 
+#include <ros/package.h>
 #include <ros/ros.h>
 
 #include <rigid_body_sim/scene/load_scene.hpp>
@@ -18,8 +19,12 @@ enum ExitCode { kDone = 0, kBadInput = 1, kDiverged = 3 };
 void onSignal(int) { ros::requestShutdown(); }
 
 Scene readScene(const NodeOptions& options) {
-  if (!options.scene_file.empty()) return loadScene(options.scene_file);
-  return parseScene(options.scene_text, "parameter ~scene");
+  const Scene scene =
+      options.scene_file.empty()
+          ? parseScene(options.scene_text, "parameter ~scene", ros::package::getPath)
+          : loadScene(options.scene_file, ros::package::getPath);
+  for (const std::string& notice : scene.notices) ROS_WARN("%s", notice.c_str());
+  return scene;
 }
 
 }  // namespace

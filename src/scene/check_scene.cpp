@@ -3,6 +3,8 @@
 
 #include <rigid_body_sim/scene/check_scene.hpp>
 
+#include "isometry.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -39,16 +41,32 @@ void checkMotion(const Scene& scene, const BodyDef& body) {
                      "body '" + body.name + "': twist must be zero, for the body is fixed");
 }
 
+std::vector<MassProperties> placedParts(const std::vector<PartDef>& parts) {
+  std::vector<MassProperties> placed;
+  for (const PartDef& part : parts)
+    placed.push_back(transformed(isometry(part.orientation, part.position), massProperties(part)));
+  return placed;
+}
+
 }  // namespace
 
+MassProperties massProperties(const SolidDef& solid) {
+  assert((solid.shape || solid.mesh) && (solid.mass || solid.density));
+  const double volume_of_it = solid.shape ? volume(*solid.shape) : solid.mesh->volume;
+  const double mass = solid.mass ? *solid.mass : *solid.density * volume_of_it;
+  if (solid.shape) return massProperties(*solid.shape, mass);
+  return {mass, solid.mesh->unit.com_B, mass * solid.mesh->unit.I_Bcm};
+}
+
 MassProperties massProperties(const BodyDef& body) {
-  if (body.shape) {
-    assert(body.mass || body.density);
-    const double mass = body.mass ? *body.mass : *body.density * volume(*body.shape);
-    return massProperties(*body.shape, mass);
+  if (body.link) return body.link->mass;
+  if (!body.particles.empty()) return massProperties(body.particles);
+  if (!body.parts.empty()) return combined(placedParts(body.parts));
+  if (body.inertia) {
+    assert(body.mass);
+    return {*body.mass, body.center_of_mass, *body.inertia};
   }
-  assert(body.mass && body.inertia);
-  return {*body.mass, body.center_of_mass, *body.inertia};
+  return massProperties(static_cast<const SolidDef&>(body));
 }
 
 void checkScene(const Scene& scene) {

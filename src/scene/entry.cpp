@@ -36,8 +36,11 @@ void Entry::failRule(const std::string& rule) const {
   fail((key_.empty() ? "" : key_ + " ") + rule + ", got " + printable(*node_));
 }
 
-void Entry::fail(const std::string& message) const {
-  throw SceneError(*source_, node_->line, (place_.empty() ? "" : place_ + ": ") + message);
+void Entry::fail(const std::string& message) const { throw SceneError(located(message)); }
+
+std::string Entry::located(const std::string& message) const {
+  return context_->source + ":" + std::to_string(node_->line) + ": " +
+         (place_.empty() ? "" : place_ + ": ") + message;
 }
 
 void checkKeys(const Entry& mapping, const std::vector<std::pair<std::string, bool>>& known) {

@@ -6,6 +6,7 @@
 
 #include <rigid_body_sim/math/types.hpp>
 
+#include "read_context.hpp"
 #include "yaml_tree.hpp"
 
 namespace rigid_body_sim {
@@ -13,7 +14,7 @@ namespace rigid_body_sim {
 /// A value of the file together with all that a message about it has to name.
 class Entry {
  public:
-  Entry(const std::string& source, const YamlNode& node) : source_(&source), node_(&node) {}
+  Entry(ReadContext& context, const YamlNode& node) : context_(&context), node_(&node) {}
 
   /// The same value as the root of a part of the file that has a name of its own.
   Entry as(std::string place) const;
@@ -25,6 +26,10 @@ class Entry {
 
   const YamlNode& node() const { return *node_; }
   const std::string& key() const { return key_; }
+  ReadContext& context() const { return *context_; }
+
+  /// file:line: place: <message>
+  std::string located(const std::string& message) const;
 
   /// file:line: place: key <rule>, got <value>
   [[noreturn]] void failRule(const std::string& rule) const;
@@ -33,7 +38,7 @@ class Entry {
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
-  const std::string* source_;
+  ReadContext* context_;
   const YamlNode* node_;
   std::string place_;  ///< such as "body 'top'"
   std::string key_;    ///< within the place, such as "twist.linear"

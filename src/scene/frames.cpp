@@ -1,19 +1,9 @@
 #include <rigid_body_sim/scene/frames.hpp>
 
+#include "isometry.hpp"
 #include "message_text.hpp"
 
 namespace rigid_body_sim {
-namespace {
-
-Isometry3d isometry(const Quaterniond& q, const Vector3d& position) {
-  Isometry3d X = Isometry3d::Identity();
-  X.linear() = q.toRotationMatrix();
-  X.translation() = position;
-  return X;
-}
-
-}  // namespace
-
 FrameTable::FrameTable(const Scene& scene, const std::vector<Body>& bodies) {
   add(scene.world_frame, {});
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -1,15 +1,12 @@
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
-#include <system_error>
+#include <utility>
 
 #include <rigid_body_sim/dynamics/catalogue.hpp>
 #include <rigid_body_sim/scene/check_scene.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "read_file.hpp"
 #include "readers.hpp"
 
 namespace rigid_body_sim {
@@ -60,28 +57,8 @@ void refuseIdleTolerance(const Entry& root, const Scene& scene) {
         .fail("tolerance goes with integrator auto only, got integrator " + scene.integrator);
 }
 
-std::string readFile(const std::string& path) {
-  constexpr std::size_t kMaxBytes = 16 << 20;
-  std::error_code no_matter;  // what cannot be looked at cannot be opened either
-  if (std::filesystem::is_directory(path, no_matter))
-    throw SceneError(path, 0, "is a directory, not a scene file");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw SceneError(path, 0, std::string("cannot be opened: ") + std::strerror(errno));
-  std::string text;
-  std::array<char, 1 << 16> block;
-  while (text.size() <= kMaxBytes && file) {
-    file.read(block.data(), block.size());
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  if (file.bad()) throw SceneError(path, 0, std::string("cannot be read: ") + std::strerror(errno));
-  if (text.size() > kMaxBytes) throw SceneError(path, 0, "is larger than 16 MiB");
-  return text;
-}
-
-}  // namespace
-
-Scene parseScene(const std::string& yaml_text, const std::string& source_name) {
+/// The scene in a text; context: as for the whole file.
+Scene readScene(const std::string& yaml_text, ReadContext context) {
   const std::vector<Key<Scene>> keys = {
       {"world_frame", [](const Entry& e, Scene& s) { s.world_frame = readWorldFrame(e); }},
       {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
@@ -92,16 +69,27 @@ Scene parseScene(const std::string& yaml_text, const std::string& source_name) {
       {"bodies", [](const Entry& e, Scene& s) { s.bodies = readBodies(e); }, true},
       {"wrenches", [](const Entry& e, Scene& s) { s.wrenches = readWrenches(e); }},
   };
-  const YamlNode document = parseYaml(yaml_text, source_name);
-  const Entry root(source_name, document);
+  const YamlNode document = parseYaml(yaml_text, context.source);
+  const Entry root(context, document);
   Scene scene;
-  scene.source = source_name;
+  scene.source = context.source;
   readMapping(root, keys, scene);
   refuseIdleTolerance(root, scene);
+  scene.notices = std::move(context.notices);
   checkScene(scene);
   return scene;
 }
 
-Scene loadScene(const std::string& path) { return parseScene(readFile(path), path); }
+}  // namespace
+
+Scene parseScene(const std::string& yaml_text, const std::string& source_name,
+                 const PackageFinder& find_package) {
+  return readScene(yaml_text, {source_name, "", find_package, {}, {}});
+}
+
+Scene loadScene(const std::string& path, const PackageFinder& find_package) {
+  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
+  return readScene(readFile(path, "scene file"), {path, directory, find_package, {}, {}});
+}
 
 }  // namespace rigid_body_sim

@@ -4,11 +4,15 @@
 
 namespace rigid_body_sim {
 
+std::string oneLine(std::string text) {
+  const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  std::replace_if(text.begin(), text.end(), isControl, '?');
+  return text;
+}
+
 std::string printable(const std::string& text) {
   constexpr std::size_t kMaxLength = 60;
-  const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  std::string line = text.substr(0, kMaxLength);
-  std::replace_if(line.begin(), line.end(), isControl, '?');
+  const std::string line = oneLine(text.substr(0, kMaxLength));
   return text.size() > kMaxLength ? line + "..." : line;
 }
 

@@ -5,6 +5,9 @@
 
 namespace rigid_body_sim {
 
+/// Text from outside with every control character, line ends included, as ?.
+std::string oneLine(std::string text);
+
 /// Text from outside, fit for a message of one line: control characters become ?, and what is
 /// longer than 60 bytes is cut.
 std::string printable(const std::string& text);

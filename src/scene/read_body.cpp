@@ -1,22 +1,8 @@
+#include "file_reference.hpp"
 #include "readers.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-Matrix3d readInertia(const Entry& entry) {
-  // an entry and its mirror image across the diagonal
-  const std::vector<Key<Matrix3d>> keys = {
-      {"ixx", [](const Entry& e, Matrix3d& I) { I(0, 0) = readNumber(e, "kg m^2"); }, true},
-      {"iyy", [](const Entry& e, Matrix3d& I) { I(1, 1) = readNumber(e, "kg m^2"); }, true},
-      {"izz", [](const Entry& e, Matrix3d& I) { I(2, 2) = readNumber(e, "kg m^2"); }, true},
-      {"ixy", [](const Entry& e, Matrix3d& I) { I(0, 1) = I(1, 0) = readNumber(e, "kg m^2"); }},
-      {"ixz", [](const Entry& e, Matrix3d& I) { I(0, 2) = I(2, 0) = readNumber(e, "kg m^2"); }},
-      {"iyz", [](const Entry& e, Matrix3d& I) { I(1, 2) = I(2, 1) = readNumber(e, "kg m^2"); }},
-  };
-  Matrix3d inertia = Matrix3d::Zero();
-  readMapping(entry, keys, inertia);
-  return inertia;
-}
 
 /// Whether a twist is given in body axes.
 bool readTwistFrame(const Entry& value) {
@@ -58,7 +44,7 @@ std::vector<PointDef> readPoints(const Entry& entry) {
   return points;
 }
 
-std::array<double, 4> readColor(const Entry& value) {
+Color readColor(const Entry& value) {
   const std::vector<double> rgba = readNumbers(value, 4, "");
   for (const double c : rgba) {
     if (!(c >= 0 && c <= 1)) value.failRule("must be [r, g, b, a], each 0 to 1");
@@ -68,33 +54,14 @@ std::array<double, 4> readColor(const Entry& value) {
 
 VisualDef readVisual(const Entry& entry) {
   const std::vector<Key<VisualDef>> keys = {
-      {"mesh", [](const Entry& e, VisualDef& v) { v.mesh = readText(e); }},
+      {"mesh", [](const Entry& e,
+                  VisualDef& v) { v.mesh = viewerUrl(readText(e), e.context().directory); }},
       {"color", [](const Entry& e, VisualDef& v) { v.color = readColor(e); }},
   };
   VisualDef visual;
   visual.line = entry.node().line;
   readMapping(entry, keys, visual);
   return visual;
-}
-
-/// What a body is made of must be said once: which keys go together.
-void checkMatter(const Entry& entry, const BodyDef& body) {
-  const auto refuse = [&](const char* key, const char* reason) {
-    if (const YamlNode* node = entry.node().find(key))
-      entry.child(*node).fail(std::string(key) + " " + reason);
-  };
-  if (!body.shape && !body.inertia)
-    entry.fail(
-        "missing what the body is made of: shape, with mass or density; or mass and inertia");
-  if (body.shape) {
-    refuse("inertia", "cannot stand beside shape, which gives it");
-    refuse("center_of_mass", "cannot stand beside shape, which gives it");
-    if (body.mass) refuse("density", "cannot stand beside mass");
-    if (!body.mass && !body.density) entry.fail("missing key 'mass' or 'density' of the shape");
-  } else {
-    refuse("density", "needs a shape");
-    if (!body.mass) entry.fail("missing key 'mass'");
-  }
 }
 
 /// The body by its name as far as it can be told, else by its place in the list.
@@ -108,12 +75,15 @@ std::string placeOf(const Entry& entry) {
 BodyDef readBody(const Entry& list_item) {
   const std::vector<Key<BodyDef>> keys = {
       {"name", [](const Entry& e, BodyDef& b) { b.name = readName(e); }, true},
-      {"shape", [](const Entry& e, BodyDef& b) { b.shape = readShape(e); }},
+      {"shape", [](const Entry& e, BodyDef& b) { readSolid(e, b); }},
       {"mass", [](const Entry& e, BodyDef& b) { b.mass = readPositive(e, "kg"); }},
       {"density", [](const Entry& e, BodyDef& b) { b.density = readPositive(e, "kg/m^3"); }},
       {"inertia", [](const Entry& e, BodyDef& b) { b.inertia = readInertia(e); }},
       {"center_of_mass",
        [](const Entry& e, BodyDef& b) { b.center_of_mass = readVector3(e, "m"); }},
+      {"parts", [](const Entry& e, BodyDef& b) { b.parts = readParts(e); }},
+      {"particles", [](const Entry& e, BodyDef& b) { b.particles = readParticles(e); }},
+      {"urdf", [](const Entry& e, BodyDef& b) { b.link = readLink(e); }},
       {"position", [](const Entry& e, BodyDef& b) { b.position = readVector3(e, "m"); }},
       {"orientation", [](const Entry& e, BodyDef& b) { b.orientation = readQuaternion(e); }},
       {"twist", [](const Entry& e, BodyDef& b) { b.twist = readTwist(e); }},
@@ -124,9 +94,8 @@ BodyDef readBody(const Entry& list_item) {
   const Entry entry = list_item.as(placeOf(list_item));
   BodyDef body;
   readMapping(entry, keys, body);
-  checkMatter(entry, body);
   body.line = entry.node().line;
-  body.matter_line = entry.node().find(body.shape ? "shape" : "inertia")->line;
+  body.matter_line = checkMatter(entry, body);
   return body;
 }
 

@@ -50,20 +50,19 @@ Shape readRound(const Entry& value) {
 
 }  // namespace
 
-Shape readShape(const Entry& entry) {
-  const std::vector<Key<Shape>> keys = {
-      {"box", [](const Entry& e, Shape& s) { s = Box{readSize(e)}; }},
-      {"sphere", [](const Entry& e, Shape& s) { s = readSphere(e); }},
-      {"cylinder", [](const Entry& e, Shape& s) { s = readRound<Cylinder>(e); }},
-      {"capsule", [](const Entry& e, Shape& s) { s = readCapsule(e); }},
-      {"ellipsoid", [](const Entry& e, Shape& s) { s = Ellipsoid{readSize(e)}; }},
-      {"cone", [](const Entry& e, Shape& s) { s = readRound<Cone>(e); }},
+void readSolid(const Entry& entry, SolidDef& solid) {
+  const std::vector<Key<SolidDef>> keys = {
+      {"box", [](const Entry& e, SolidDef& s) { s.shape = Box{readSize(e)}; }},
+      {"sphere", [](const Entry& e, SolidDef& s) { s.shape = readSphere(e); }},
+      {"cylinder", [](const Entry& e, SolidDef& s) { s.shape = readRound<Cylinder>(e); }},
+      {"capsule", [](const Entry& e, SolidDef& s) { s.shape = readCapsule(e); }},
+      {"ellipsoid", [](const Entry& e, SolidDef& s) { s.shape = Ellipsoid{readSize(e)}; }},
+      {"cone", [](const Entry& e, SolidDef& s) { s.shape = readRound<Cone>(e); }},
+      {"mesh", [](const Entry& e, SolidDef& s) { s.mesh = readMeshDef(e); }},
   };
-  Shape shape;
-  readMapping(entry, keys, shape);
+  readMapping(entry, keys, solid);
   const std::size_t count = entry.node().children.size();
-  if (count != 1) entry.fail("shape must name one shape, got " + std::to_string(count));
-  return shape;
+  if (count != 1) entry.fail(entry.key() + " must name one shape, got " + std::to_string(count));
 }
 
 }  // namespace rigid_body_sim

@@ -5,20 +5,19 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
-#include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "csv_writer.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "simulate_options.hpp"
+#include "tool_scene.hpp"
+#include "usage.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-enum ExitCode { kDone = 0, kBadInput = 1, kWrongUsage = 2, kDiverged = 3 };
-
 Scene sceneOf(const SimulateOptions& options) {
-  Scene scene = loadScene(options.scene);
+  Scene scene = loadToolScene(options.scene, "simulate");
   scene.time_step = options.time_step.value_or(scene.time_step);
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
   scene.integrator = options.integrator.value_or(scene.integrator);

@@ -1,23 +1,10 @@
 #include "simulate_options.hpp"
 
-#include <cmath>
-#include <cstdlib>
-
 #include <getopt.h>
 
+#include "usage.hpp"
+
 namespace rigid_body_sim {
-namespace {
-
-double positiveNumber(const std::string& option, const char* text) {
-  char* end = nullptr;
-  const double x = std::strtod(text, &end);
-  if (end == text || *end != '\0' || !std::isfinite(x) || !(x > 0))
-    throw UsageError("--" + option + ": must be a finite number > 0, got '" + text + "'");
-  return x;
-}
-
-}  // namespace
-
 SimulateOptions parseSimulateOptions(int argc, char** argv) {
   static const option known[] = {{"duration", required_argument, nullptr, 'd'},
                                  {"sample", required_argument, nullptr, 's'},

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 namespace rigid_body_sim {
@@ -16,12 +15,6 @@ struct SimulateOptions {
   std::optional<std::string> integrator;  ///< a name of the catalogue
   std::optional<std::string> csv;         ///< file; "-": standard output
   bool help = false;
-};
-
-/// Wrong usage; what() is one line.
-class UsageError : public std::invalid_argument {
- public:
-  using std::invalid_argument::invalid_argument;
 };
 
 /// Throws UsageError for an unknown option, a value that is no number > 0, or no scene.

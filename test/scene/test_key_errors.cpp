@@ -23,7 +23,7 @@ TEST(SceneKeys, MustBeKnown) {
   EXPECT_EQ(boxError("    mas: 1\n"),
             kAt +
                 "unknown key 'mas' (known: name, shape, mass, density, inertia, center_of_mass, "
-                "position, orientation, twist, points, fixed, visual)");
+                "parts, particles, urdf, position, orientation, twist, points, fixed, visual)");
   EXPECT_EQ(boxError("    twist: {fram: world}\n"),
             kAt + "unknown key 'twist.fram' (known: frame, linear, angular)");
   EXPECT_EQ(boxError("    points: {a: {pos: [0, 0, 0]}}\n"),
@@ -35,7 +35,7 @@ TEST(SceneKeys, MustBeKnown) {
             "force, torque, start, duration)");
   EXPECT_EQ(errorOf(bodyScene("  - name: a\n    shape: {cube: 1}\n")),
             "s.yaml:4: body 'a': unknown key 'shape.cube' (known: box, sphere, cylinder, capsule, "
-            "ellipsoid, cone)");
+            "ellipsoid, cone, mesh)");
 }
 
 TEST(SceneKeys, MustBeThere) {
@@ -55,8 +55,8 @@ TEST(SceneKeys, SayOnceWhatABodyIsMadeOf) {
   const std::string box = "  - name: a\n    shape: {box: [1, 1, 1]}\n";
   const std::string given = "  - name: a\n    inertia: {ixx: 1, iyy: 1, izz: 1}\n";
   EXPECT_EQ(errorOf(bodyScene("  - name: a\n")),
-            "s.yaml:3: body 'a': missing what the body is made of: shape, with mass or density; or "
-            "mass and inertia");
+            "s.yaml:3: body 'a': missing what the body is made of: shape, with mass or density; "
+            "mass and inertia; parts; particles; or urdf");
   EXPECT_EQ(errorOf(bodyScene(box)),
             "s.yaml:3: body 'a': missing key 'mass' or 'density' of the shape");
   EXPECT_EQ(errorOf(bodyScene(box + "    mass: 1\n    density: 1\n")),

@@ -5,6 +5,9 @@
 
 namespace rigid_body_sim {
 
+/// Mass properties of a solid in its own frame.
+MassProperties massProperties(const SolidDef& solid);
+
 /// Mass properties of a body in its own frame. The def must say what it is made of.
 MassProperties massProperties(const BodyDef& body);
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <rigid_body_sim/mass/particles.hpp>
 #include <rigid_body_sim/mass/shapes.hpp>
+#include <rigid_body_sim/scene/visual.hpp>
 
 namespace rigid_body_sim {
 
@@ -29,20 +30,50 @@ struct PointDef {
 
 /// How a body is drawn; it has no part in the motion.
 struct VisualDef {
-  std::string mesh;                            ///< file or URL; empty: the body's shape
-  std::optional<std::array<double, 4>> color;  ///< red, green, blue, opacity, each 0 … 1
+  std::string mesh;            ///< URL; empty: what the body is made of
+  std::optional<Color> color;  ///< none: as the viewer likes
   int line = 0;
 };
 
-struct BodyDef {
+/// The solid within a closed triangle mesh, in the axes of its file. The triangles themselves have
+/// done their work once these integrals are known.
+struct MeshDef {
+  std::string url;      ///< of the file: package:// as in the scene, else file://
+  double scale = 1;     ///< > 0, multiplies every length of the file
+  double volume = 0;    ///< [m³] > 0, of the scaled mesh
+  MassProperties unit;  ///< of one kilogram of it
+};
+
+/// A homogeneous solid: either shape or mesh, either mass or density.
+struct SolidDef {
+  std::optional<Shape> shape;
+  std::optional<MeshDef> mesh;
+  std::optional<double> mass;     ///< [kg] > 0
+  std::optional<double> density;  ///< [kg/m³] > 0
+};
+
+/// A solid with a frame S of its own, placed in the body frame.
+struct PartDef : SolidDef {
+  Vector3d position = Vector3d::Zero();               ///< [m] of its origin
+  Quaterniond orientation = Quaterniond::Identity();  ///< q_BS, unit
+};
+
+/// A link of a URDF file.
+struct LinkDef {
+  MassProperties mass;  ///< of <inertial>, in the link's frame
+  std::vector<Visual> visuals;
+};
+
+/// What it is made of is one of five: a solid; mass (that of SolidDef), inertia and centre of mass;
+/// parts; particles; a link.
+struct BodyDef : SolidDef {
   std::string name;
 
-  // What it is made of: a shape with mass or density; or mass, inertia and centre of mass.
-  std::optional<Shape> shape;
-  std::optional<double> mass;                  ///< [kg] > 0
-  std::optional<double> density;               ///< [kg/m³] > 0
   std::optional<Matrix3d> inertia;             ///< [kg m²] about the centre of mass, in body axes
   Vector3d center_of_mass = Vector3d::Zero();  ///< [m] in the body frame
+  std::vector<PartDef> parts;
+  Particles particles;  ///< in the body frame, at rest there
+  std::optional<LinkDef> link;
 
   Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the world
   Quaterniond orientation = Quaterniond::Identity();  ///< q_WB, unit
@@ -78,6 +109,7 @@ struct Scene {
   double horizon = 10;              ///< [s] also how long `simulate` runs
   std::vector<BodyDef> bodies;
   std::vector<WrenchDef> wrenches;
+  std::vector<std::string> notices;  ///< what the reader put right; for the user to see
 };
 
 }  // namespace rigid_body_sim

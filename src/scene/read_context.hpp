@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+namespace rigid_body_sim {
+
+/// What the reading of one scene has in common.
+struct ReadContext {
+  std::string source;               ///< the scene file, for messages
+  std::filesystem::path directory;  ///< that relative paths start from; empty: the working one
+  PackageFinder find_package;       ///< may be empty
+
+  std::vector<std::string> notices;
+  std::map<std::pair<std::string, double>, MeshDef> meshes;  ///< by path and scale: each read once
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,24 @@
+// Mass properties of a mesh file, of the bodies of a scene, or of the links of a URDF file.
+#include <cstdio>
+#include <exception>
+
+#include "mass_properties_formats.hpp"
+#include "usage.hpp"
+
+int main(int argc, char** argv) {
+  using namespace rigid_body_sim;
+  try {
+    const MassPropertiesOptions options = parseMassPropertiesOptions(argc, argv);
+    const std::string out =
+        options.help ? massPropertiesHelp() : formatted(readMasses(options), options.format);
+    if (std::fputs(out.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return kDone;
+    std::perror("mass_properties: standard output");
+    return kBadInput;
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "mass_properties: %s (mass_properties --help)\n", error.what());
+    return kWrongUsage;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "mass_properties: %s\n", error.what());
+    return kBadInput;
+  }
+}

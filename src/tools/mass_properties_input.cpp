@@ -1,0 +1,89 @@
+#include "mass_properties_input.hpp"
+
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include <rigid_body_sim/scene/check_scene.hpp>
+#include <rigid_body_sim/scene/read_urdf.hpp>
+#include <rigid_body_sim/scene/solid_mesh.hpp>
+
+#include "tool_scene.hpp"
+#include "usage.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+const std::string kProgram = "mass_properties";
+constexpr double kDensityOfWater = 1000;
+
+std::string extensionOf(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+/// The file's name without its extension, made a name that a scene accepts.
+std::string nameOf(const std::string& path) {
+  std::string name = std::filesystem::path(path).stem().string();
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  const bool begins_with_letter =
+      !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));
+  return begins_with_letter ? name : "mesh_" + name;
+}
+
+NamedMass massOfMesh(const MassPropertiesOptions& options) {
+  const SolidMesh solid = readSolidMesh(options.file, 1);
+  if (!solid.notice.empty()) printNotice(kProgram, solid.notice);
+  SolidDef def;
+  def.mesh = solid.def;
+  def.mass = options.mass;
+  if (!options.mass) def.density = options.density.value_or(kDensityOfWater);
+
+  const MassProperties mass = massProperties(def);
+  const std::string fault = massPropertiesFault(mass);
+  if (!fault.empty()) throw std::runtime_error(options.file + ": " + fault);
+  std::ostringstream remark;
+  remark.precision(10);
+  remark << "volume " << solid.def.volume << " m^3, density " << mass.mass / solid.def.volume
+         << " kg/m^3";
+  if (!options.mass && !options.density)
+    remark << " (assumed: neither --density nor --mass is given)";
+  return {nameOf(options.file), remark.str(), mass};
+}
+
+std::vector<NamedMass> massesOfScene(const std::string& path) {
+  std::vector<NamedMass> masses;
+  for (const BodyDef& body : loadToolScene(path, kProgram).bodies)
+    masses.push_back({body.name, "", massProperties(body)});
+  return masses;
+}
+
+std::vector<NamedMass> massesOfUrdf(const std::string& path) {
+  std::vector<NamedMass> masses;
+  for (const UrdfLink& link : readUrdf(path)) {
+    if (!link.mass) continue;
+    const std::string fault = massPropertiesFault(*link.mass);
+    if (!fault.empty()) throw std::runtime_error(path + ": link '" + link.name + "': " + fault);
+    masses.push_back({link.name, "", *link.mass});
+  }
+  if (masses.empty()) throw std::runtime_error(path + ": no link has an <inertial>");
+  return masses;
+}
+
+}  // namespace
+
+std::vector<NamedMass> readMasses(const MassPropertiesOptions& options) {
+  const std::string extension = extensionOf(options.file);
+  const bool is_scene = extension == ".yaml" || extension == ".yml";
+  const bool is_urdf = extension == ".urdf" || extension == ".xml";
+  if (!is_scene && !is_urdf) return {massOfMesh(options)};
+  if (options.density || options.mass)
+    throw UsageError("--density and --mass go with a mesh; " + options.file +
+                     " says what its bodies weigh");
+  return is_scene ? massesOfScene(options.file) : massesOfUrdf(options.file);
+}
+
+}  // namespace rigid_body_sim
