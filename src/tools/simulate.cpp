@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <memory>
 
+#include <ros/package.h>
+
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "markers.hpp"
@@ -17,7 +16,7 @@ using visualization_msgs::Marker;
 Marker markerOf(const std::string& body_lines) {
   const Scene scene =
       parseScene("time_step: 0.01\nbodies: [{name: a, " + body_lines + "}]", "test");
-  const auto markers = toMarkers(scene, buildWorld(scene)).markers;
+  const auto markers = toMarkers(scene).markers;
   EXPECT_EQ(markers.size(), 1U);
   EXPECT_EQ(markers.at(0).header.frame_id, "a");
   EXPECT_TRUE(markers.at(0).frame_locked);
@@ -68,17 +67,34 @@ TEST(Markers, DrawCapsuleEllipsoidAndConeInTheirOwnFrames) {
   }
 }
 
-TEST(Markers, FindAMeshBesideTheSceneAndLeaveAUrlAlone) {
-  const auto resource = [](const std::string& mesh) {
-    Scene scene = parseScene(
-        "time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]", "test");
-    scene.source = "/scenes/top.yaml";
-    scene.bodies[0].visual.mesh = mesh;
-    return toMarkers(scene, buildWorld(scene)).markers.at(0).mesh_resource;
-  };
-  EXPECT_EQ(resource("package://p/a.stl"), "package://p/a.stl");
-  EXPECT_EQ(resource("../meshes/a.stl"), "file:///meshes/a.stl");
-  EXPECT_EQ(resource("/else/a.stl"), "file:///else/a.stl");
+TEST(Markers, DrawEveryPartWhereItIs) {
+  const Scene scene = parseScene(R"(
+time_step: 1
+bodies:
+  - name: a
+    parts:
+      - {shape: {sphere: {radius: 1}}, mass: 1, position: [1, 2, 3]}
+      - {shape: {capsule: {radius: 1, length: 2}}, mass: 1, orientation: [0.5, 0.5, 0.5, 0.5]}
+)",
+                                 "test");
+  const auto markers = toMarkers(scene).markers;
+  ASSERT_EQ(markers.size(), 4U);
+  for (std::size_t i = 0; i < markers.size(); ++i) EXPECT_EQ(markers[i].id, static_cast<int>(i));
+  EXPECT_EQ(markers[0].pose.position.z, 3);
+  // the capsule's z axis lies along x
+  EXPECT_DOUBLE_EQ(markers[1].pose.position.x, -1);
+  EXPECT_DOUBLE_EQ(markers[2].pose.position.x, 1);
+  EXPECT_DOUBLE_EQ(markers[3].pose.orientation.y, 0.5);
+}
+
+TEST(Markers, LeaveAMeshToTheViewer) {
+  Scene scene = parseScene(
+      "time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]", "test");
+  scene.bodies[0].visual.mesh = "package://p/a.stl";
+  const Marker marker = toMarkers(scene).markers.at(0);
+  EXPECT_EQ(marker.type, Marker::MESH_RESOURCE);
+  EXPECT_EQ(marker.mesh_resource, "package://p/a.stl");
+  expectScale(marker, 1, 1, 1);
 }
 
 TEST(Markers, HaveTheColourOfTheScene) {
