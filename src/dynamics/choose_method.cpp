@@ -114,7 +114,7 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
   const unsigned needs = needsOf(world, group, schedules);
   const Trial trial(world, group, state, schedules, most_body_steps);
   const std::optional<Track> truth = truthOf(trial);
-  MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), false};
+  MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), 1, false};
   if (!truth) return best;
   double best_cost = std::numeric_limits<double>::infinity();
   // from the highest order down: what holds a tight tolerance bounds the cost of the others early
@@ -125,7 +125,7 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
       const std::optional<Track> track = trial.run(*row, parts);
       const double error = track ? trial.error(*track, *truth) : last_error;
       const bool holds = error <= kMargin;
-      if (holds || (!best.holds && error < best.error)) best = {&*row, parts, error, holds};
+      if (holds || (!best.holds && error < best.error)) best = {&*row, parts, error, 1, holds};
       if (holds) best_cost = parts * row->cost;
       // rounding has the better of the shorter step, or the row cannot get there
       if (holds || (error < 1e3 && error > last_error / 1.5)) break;

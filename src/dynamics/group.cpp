@@ -93,7 +93,7 @@ void Group::stepInParts(double h) {
   for (std::size_t k = 0; k < states_.size(); ++k)
     turn = std::max(turn, h * angularVelocity(system_.bodies[k]->inv_I, states_[k].L_P).norm());
   const Method& method = *choice_.method;
-  const double needed = std::ceil(turn / method.most_turn);
+  const double needed = std::ceil(turn / (method.most_turn * choice_.most_turn_share));
   const double parts = std::max<double>(choice_.parts, needed);
   constexpr double kMostParts = 1e5;
   if (!(parts <= kMostParts)) {
