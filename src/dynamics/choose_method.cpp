@@ -17,12 +17,12 @@ class Trial {
   static constexpr double kParts = 8;  // into which every step can at least be divided
 
  public:
-  Trial(const World& world, const std::vector<std::size_t>& members, const State& state,
+  Trial(const World& world, const CoupledBodies& group, const State& state,
         const std::vector<WrenchSchedule>& schedules, double most_body_steps)
-      : world_(world), members_(members), start_(state), schedules_(schedules) {
+      : world_(world), group_(group), start_(state), schedules_(schedules) {
     const double h = world.solver.time_step;
     const double wanted = std::max(1.0, std::ceil(world.solver.horizon / h));
-    const double affordable = most_body_steps / static_cast<double>(members.size());
+    const double affordable = most_body_steps / static_cast<double>(group.members.size());
     steps_ = static_cast<int>(std::min(wanted, std::max(8.0, affordable / kParts)));
     most_parts_ = static_cast<int>(std::max(kParts, affordable / steps_));
     const double share = steps_ / wanted;
@@ -34,7 +34,7 @@ class Trial {
   /// Nothing where the method cannot follow.
   std::optional<Track> run(const Method& method, int parts) const {
     constexpr int kInstants = 16;
-    Group group(world_, members_, {&method, parts});
+    Group group(world_, group_, {&method, parts});
     std::vector<WrenchSchedule> schedules = schedules_;
     std::vector<BodyState> bodies = start_.bodies;
     group.restart(start_.t, schedules);
@@ -55,9 +55,9 @@ class Trial {
   /// the tolerance.
   double error(const Track& track, const Track& truth) const {
     double worst = 0;
-    for (std::size_t k = 0; k < members_.size(); ++k) {
+    for (std::size_t k = 0; k < group_.members.size(); ++k) {
       double path = 0;
-      Vector3d last = start_.bodies[members_[k]].x_W;
+      Vector3d last = start_.bodies[group_.members[k]].x_W;
       for (std::size_t i = 0; i < truth.size(); ++i) {
         path += (truth[i][k].x_W - last).norm();
         last = truth[i][k].x_W;
@@ -75,12 +75,12 @@ class Trial {
 
   std::vector<BodyState> membersOf(const std::vector<BodyState>& bodies) const {
     std::vector<BodyState> states;
-    for (std::size_t body : members_) states.push_back(bodies[body]);
+    for (std::size_t body : group_.members) states.push_back(bodies[body]);
     return states;
   }
 
   const World& world_;
-  const std::vector<std::size_t>& members_;
+  const CoupledBodies& group_;
   const State& start_;
   const std::vector<WrenchSchedule>& schedules_;
   int steps_ = 1;
@@ -108,18 +108,18 @@ std::optional<Track> truthOf(const Trial& trial) {
 
 }  // namespace
 
-MethodChoice chooseMethod(const World& world, const std::vector<std::size_t>& members,
-                          const State& state, const std::vector<WrenchSchedule>& schedules,
-                          double most_body_steps) {
+MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const State& state,
+                          const std::vector<WrenchSchedule>& schedules, double most_body_steps) {
   constexpr double kMargin = 0.5;  // of the tolerance: the truth is itself a computed motion
-  const Trial trial(world, members, state, schedules, most_body_steps);
+  const unsigned needs = needsOf(world, group, schedules);
+  const Trial trial(world, group, state, schedules, most_body_steps);
   const std::optional<Track> truth = truthOf(trial);
   MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), false};
   if (!truth) return best;
   double best_cost = std::numeric_limits<double>::infinity();
   // from the highest order down: what holds a tight tolerance bounds the cost of the others early
   for (auto row = catalogue().rbegin(); row != catalogue().rend(); ++row) {
-    if (!row->claims_to(kTakesCoupling)) continue;
+    if (!row->takes(needs)) continue;
     double last_error = std::numeric_limits<double>::infinity();
     for (int parts = 1; parts * row->cost < best_cost && parts <= trial.mostParts(); parts *= 2) {
       const std::optional<Track> track = trial.run(*row, parts);

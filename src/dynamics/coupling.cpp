@@ -1,5 +1,6 @@
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <rigid_body_sim/dynamics/coupling.hpp>
 
@@ -14,7 +15,7 @@ std::size_t root(std::vector<std::size_t>& parent, std::size_t body) {
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> coupledGroups(
+std::vector<std::vector<std::size_t>> linkedBodies(
     const std::vector<Body>& bodies, const std::vector<std::vector<std::size_t>>& bonds) {
   std::vector<std::size_t> parent(bodies.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -39,6 +40,33 @@ std::vector<std::vector<std::size_t>> coupledGroups(
     groups[group].push_back(body);
   }
   return groups;
+}
+
+std::vector<CoupledBodies> coupledBodies(const World& world,
+                                         const std::vector<WrenchSchedule>& schedules) {
+  std::vector<std::vector<std::size_t>> bonds;
+  for (const auto& law : world.laws) bonds.push_back(law->members());
+  for (const WrenchSchedule& schedule : schedules) bonds.push_back(schedule.bodies());
+  std::vector<CoupledBodies> groups;
+  std::vector<std::size_t> group_of(world.bodies.size());
+  for (std::vector<std::size_t>& members : linkedBodies(world.bodies, bonds)) {
+    for (std::size_t body : members) group_of[body] = groups.size();
+    groups.push_back({std::move(members), {}});
+  }
+  for (const auto& law : world.laws) groups[group_of[law->members().front()]].laws.push_back(law);
+  return groups;
+}
+
+unsigned needsOf(const World& world, const CoupledBodies& group,
+                 const std::vector<WrenchSchedule>& schedules) {
+  unsigned needs = group.laws.empty() ? 0u : kCoupling;
+  for (const auto& law : group.laws)
+    if (law->isDamped()) needs |= kDamping;
+  for (std::size_t body : group.members) {
+    if (world.bodies[body].drag.any()) needs |= kDrag;
+    if (!schedules[body].allHeld()) needs |= kCoupling;
+  }
+  return needs;
 }
 
 }  // namespace rigid_body_sim

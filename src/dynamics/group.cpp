@@ -7,10 +7,21 @@
 
 namespace rigid_body_sim {
 
-Group::Group(const World& world, std::vector<std::size_t> members, const MethodChoice& choice)
-    : members_(std::move(members)), choice_(choice), states_(members_.size()) {
+Group::Group(const World& world, const CoupledBodies& bodies, const MethodChoice& choice)
+    : members_(bodies.members), choice_(choice), states_(members_.size()) {
   system_.g_W = world.g_W;
-  for (std::size_t body : members_) system_.bodies.push_back(&world.bodies[body]);
+  for (std::size_t body : members_) {
+    system_.bodies.push_back(&world.bodies[body]);
+    system_.drags |= world.bodies[body].drag.any();
+  }
+  for (const auto& law : bodies.laws)
+    system_.laws.push_back(law->renamed([this](std::size_t body) { return localIndex(body); }));
+}
+
+std::size_t Group::localIndex(std::size_t body) const {
+  if (body == kWorld) return kWorld;
+  const auto it = std::lower_bound(members_.begin(), members_.end(), body);
+  return static_cast<std::size_t>(it - members_.begin());
 }
 
 void Group::restart(double t, std::vector<WrenchSchedule>& schedules) {
@@ -27,7 +38,7 @@ void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedul
     double t_next = t_end;
     for (std::size_t body : members_) t_next = std::min(t_next, schedules[body].nextEvent());
     if (t_next > t && choice_.method) stepInParts(t_next - t);
-    if (t_next > t && !choice_.method) solve(t, t_next);
+    if (t_next > t && !choice_.method) solve(t, t_next, schedules[members_[0]].nextEvent());
     t = t_next;
 
     // what starts and ends there
@@ -40,11 +51,6 @@ void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedul
 }
 
 void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
-  const auto localIndex = [this](std::size_t body) {
-    if (body == kWorld) return kWorld;
-    const auto it = std::lower_bound(members_.begin(), members_.end(), body);
-    return static_cast<std::size_t>(it - members_.begin());
-  };
   system_.held.assign(members_.size(), HeldWrench());
   system_.coupled.clear();
   for (std::size_t body : members_) {
@@ -63,10 +69,11 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
 }
 
 /// Evaluates the solution at t_end, anchored anew where a series ends and, after an event, at t.
-void Group::solve(double t, double t_end) {
+void Group::solve(double t, double t_end, double next_event) {
   constexpr int kMostSegments = 1000000;
-  const auto anchor = [this](double at) {
-    solved_.emplace(*system_.bodies[0], system_.held[0], system_.g_W, at, states_[0]);
+  const auto anchor = [&](double at) {
+    solved_.emplace(*system_.bodies[0], system_.held[0], system_.g_W, at, states_[0],
+                    next_event - at);
   };
   if (!solved_) anchor(t);
   for (int segments = 0; !(solved_->validUntil() >= t_end); ++segments) {

@@ -39,7 +39,6 @@ Simulation::Simulation(World world, State initial)
       initial_(std::make_shared<const State>(std::move(initial))),
       method_(world_->solver.integrator == "auto" ? nullptr
                                                   : &methodNamed(world_->solver.integrator)) {
-  for (const AppliedWrench& wrench : world_->wrenches) requireAccepted(wrench);
   reset(true);
 }
 
@@ -82,34 +81,40 @@ State Simulation::sample(double t) const {
 void Simulation::formGroups(double most_trial_steps) {
   groups_.clear();
   group_of_.assign(world_->bodies.size(), 0);
-  std::vector<std::vector<std::size_t>> bonds;
-  for (const WrenchSchedule& schedule : schedules_) bonds.push_back(schedule.bodies());
-  for (const std::vector<std::size_t>& members : coupledGroups(world_->bodies, bonds)) {
-    for (std::size_t body : members) group_of_[body] = groups_.size();
-    groups_.emplace_back(*world_, members, chosen(members, most_trial_steps));
+  for (const CoupledBodies& bodies : coupledBodies(*world_, schedules_)) {
+    for (std::size_t body : bodies.members) group_of_[body] = groups_.size();
+    groups_.emplace_back(*world_, bodies, chosen(bodies, most_trial_steps));
     groups_.back().restart(state_.t, schedules_);
   }
 }
 
 /// The row named by the scene; with auto, none where the motion can be solved, else the cheapest.
-MethodChoice Simulation::chosen(const std::vector<std::size_t>& members, double most_trial_steps) {
-  if (method_) return {method_};
-  if (members.size() == 1 && schedules_[members[0]].allHeld()) return {};
-  const auto known = choices_.find(members);
+MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_steps) {
+  const unsigned needs = needsOf(*world_, bodies, schedules_);
+  if (method_) {
+    requireTaken(needs, bodies.members.front());
+    return {method_};
+  }
+  if (bodies.members.size() == 1 && needs == 0) return {};
+  const auto known = choices_.find(bodies.members);
   if (known != choices_.end()) return known->second;
-  return choices_[members] = chooseMethod(*world_, members, state_, schedules_, most_trial_steps);
+  return choices_[bodies.members] =
+             chooseMethod(*world_, bodies, state_, schedules_, most_trial_steps);
 }
 
-void Simulation::requireAccepted(const AppliedWrench& wrench) const {
-  if (method_ && !method_->claims_to(kTakesCoupling) && !HeldWrench::holds(wrench))
-    throw std::invalid_argument(std::string("integrator ") + method_->name +
-                                " takes a wrench that is fixed in the world or in the body acted on"
-                                " only, but that on body '" +
-                                world_->bodies[wrench.body].name + "' is not");
+void Simulation::requireTaken(unsigned needs, std::size_t body) const {
+  if (!method_ || method_->takes(needs)) return;
+  std::string what;
+  if (needs & kCoupling & ~method_->accepts) what = "laws or wrenches that couple bodies";
+  if (needs & kDrag & ~method_->accepts) what = "drag";
+  if (needs & kDamping & ~method_->accepts) what = "damping";
+  throw std::invalid_argument("integrator must be auto or take " + what + ", as body '" +
+                              world_->bodies[body].name + "' needs (" + methodsThatTake(needs) +
+                              "), got '" + method_->name + "'");
 }
 
 void Simulation::applyWrench(const std::string& slot, const AppliedWrench& wrench) {
-  requireAccepted(wrench);
+  if (!HeldWrench::holds(wrench)) requireTaken(kCoupling, wrench.body);
   schedules_[wrench.body].put(slot, wrench, state_.t);
   if (HeldWrench::holds(wrench))
     groups_[group_of_[wrench.body]].restart(state_.t, schedules_);

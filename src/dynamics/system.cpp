@@ -1,3 +1,4 @@
+#include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/dynamics/system.hpp>
 
 namespace rigid_body_sim {
@@ -12,7 +13,16 @@ void evaluateWrenches(const System& system, const std::vector<BodyState>& states
   }
   for (const AppliedWrench& applied : system.coupled)
     addAppliedWrench(applied, states, wrenches[applied.body]);
+  for (const auto& law : system.laws) law->addWrenches({system.bodies, states}, wrenches);
   ++workspace.evaluations;
+}
+
+void evaluateWrenchesAndDrag(const System& system, const std::vector<BodyState>& states,
+                             Workspace& workspace) {
+  evaluateWrenches(system, states, workspace);
+  if (!system.drags) return;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    addDrag(*system.bodies[i], states[i], workspace.wrenches[i]);
 }
 
 }  // namespace rigid_body_sim

@@ -3,49 +3,9 @@
 
 #include <rigid_body_sim/dynamics/taylor_segment.hpp>
 
+#include "taylor_terms.hpp"
+
 namespace rigid_body_sim {
-namespace {
-
-template <class T>
-using Array4 = Eigen::Array<T, 4, 1>;
-
-template <class T>
-Array4<T> lanes(const Vector3<T>& v) {
-  return Array4<T>(v.x(), v.y(), v.z(), T(0));
-}
-
-template <class T>
-T maxAbs(const Array4<T>& a) {
-  return a.abs().maxCoeff();
-}
-
-/// The rotation matrix of a unit quaternion with products of its components xx = (x x, x y, x z,
-/// x w) and so on; with series, the products are those of series and `one` is that of 1.
-template <class T>
-Matrix3<T> rotationMatrix(T one, const Array4<T>& x, const Array4<T>& y, const Array4<T>& z) {
-  Matrix3<T> R;
-  R << one - T(2) * (y[1] + z[2]), T(2) * (x[1] - z[3]), T(2) * (x[2] + y[3]),  //
-      T(2) * (x[1] + z[3]), one - T(2) * (x[0] + z[2]), T(2) * (y[2] - x[3]),   //
-      T(2) * (x[2] - y[3]), T(2) * (y[2] + x[3]), one - T(2) * (x[0] + y[1]);
-  return R;
-}
-
-/// Σ (R armᵢ) × forceᵢ from moments = Σ armᵢ forceᵢᵀ: twice the axial vector of R moments.
-template <class T>
-Vector3<T> turnedMoment(const Matrix3<T>& R, const Matrix3<T>& moments) {
-  const Matrix3<T> M = R * moments;
-  return Vector3<T>(M(1, 2) - M(2, 1), M(2, 0) - M(0, 2), M(0, 1) - M(1, 0));
-}
-
-/// The power of two at or below a positive finite rate; 1 for a rate of zero. Scaling by it is
-/// exact, so that the units of the scene change no digit, and nothing overflows on the way.
-template <class T>
-T unitOf(T rate) {
-  if (!(rate > T(0))) return T(1);
-  return std::ldexp(T(1), std::min(std::max(std::ilogb(rate), -1000), 1000));
-}
-
-}  // namespace
 
 /// What stays constant over the segment, in the units of the scene.
 template <class T>
@@ -64,7 +24,7 @@ struct TaylorSegmentT<T>::Equations {
 
 template <class T>
 TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
-                                  const BodyStateT<T>& start)
+                                  const BodyStateT<T>& start, T horizon)
     : start_(start),
       I_(body.I.template cast<T>()),
       inv_mass_(T(1) / T(body.mass)),
@@ -92,6 +52,7 @@ TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, co
   }
   e.v_W = start.p_W * inv_mass_;
 
+  e.turning.fill(Array4::Zero());
   T square = maxAbs(e.alpha_P);
   const bool turned = !tau_W_.isZero(0) || !wrench.levers.empty();
   if (turned) {
@@ -110,15 +71,12 @@ TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, co
     const T snap = a_W_.cross(e.pull_W).cwiseAbs().maxCoeff() * maxAbs(e.inv_I);
     rate = std::max(std::max(rate, std::cbrt(jerk)), std::sqrt(std::sqrt(snap)));
   }
+  degree_ = degreeFor<T>(rate * horizon, kOrder);
   rate_unit_ = unitOf(rate);
   const T time_unit = T(1) / rate_unit_;
   if (!wrench.pulls.empty()) {
-    if (!turned)
-      for (Array4& column : e.turning) column.setZero();
     expand<true, true>(e, time_unit);
   } else if (turned || body_force_ || body_torque_) {
-    if (!turned)
-      for (Array4& column : e.turning) column.setZero();
     expand<true, false>(e, time_unit);
   } else {
     expand<false, false>(e, time_unit);
@@ -128,12 +86,12 @@ TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, co
 template <class T>
 template <bool kTurned, bool kPulled>
 void TaylorSegmentT<T>::expand(const Equations& e, T time_unit) {
-  constexpr std::size_t N = kOrder;
+  const std::size_t N = degree_;
   // ω and q once more, with the components in the places where the products need them
-  std::array<Array4, N> w_a, w_b, q_x, q_y, q_z;
-  std::array<Matrix3<T>, N> R;
+  std::array<Array4, kOrder> q_x, q_y, q_z;
+  Rotations R;
   std::array<Array4, 9> turning;
-  std::array<Vector3<T>, N> pull_torque;
+  Torques pull_torque;
 
   w_[0] = e.w_P * time_unit;
   q_[0] = start_.q_WP.coeffs().array();
@@ -141,83 +99,113 @@ void TaylorSegmentT<T>::expand(const Equations& e, T time_unit) {
   if (kTurned)
     for (std::size_t j = 0; j < 9; ++j) turning[j] = e.turning[j] * time_unit * time_unit;
   const Array4 inv_I = kPulled ? Array4(e.inv_I * time_unit * time_unit) : e.inv_I;
+  if (kTurned) pull_torque.fill(Vector3<T>::Zero());
   if (kPulled) {
-    pull_torque.fill(Vector3<T>::Zero());
     pull_torque[1] = e.pull_W.cross(e.v_W) * time_unit;
     pull_torque[2] = e.pull_W.cross(a_W_) * (time_unit * time_unit / T(2));
   }
+  const Array4 sign_x(1, 1, -1, -1), sign_y(-1, 1, 1, -1), sign_z(1, -1, 1, -1);
   T last_R = T(0);
   for (std::size_t k = 0; k < N; ++k) {
-    const Array4& w = w_[k];
     const Array4& q = q_[k];
-    w_a[k] = Array4(w[1], w[2], w[0], T(0));
-    w_b[k] = Array4(w[2], w[0], w[1], T(0));
-    q_x[k] = Array4(q[3], q[2], -q[1], -q[0]);
-    q_y[k] = Array4(-q[2], q[3], q[0], -q[1]);
-    q_z[k] = Array4(q[1], -q[0], q[3], -q[2]);
+    q_x[k] = q.reverse();
+    q_y[k].template head<2>() = q.template tail<2>();
+    q_y[k].template tail<2>() = q.template head<2>();
+    q_z[k] = q_y[k].reverse();
 
-    Array4 ww = Array4::Zero();
+    // the newest coefficients last: the sums of the others need not wait for them
+    T ww_x = T(0), ww_y = T(0), ww_z = T(0);
     Array4 qw_x = Array4::Zero(), qw_y = Array4::Zero(), qw_z = Array4::Zero();
-    for (std::size_t i = 0; i <= k; ++i) {
+    const auto addRates = [&](std::size_t i) {
       const Array4& v = w_[k - i];
-      ww += w_a[i] * w_b[k - i];
+      ww_x += w_[i][1] * v[2];
+      ww_y += w_[i][2] * v[0];
+      ww_z += w_[i][0] * v[1];
       qw_x += q_x[i] * v[0];
       qw_y += q_y[i] * v[1];
       qw_z += q_z[i] * v[2];
-    }
-    Array4 alpha = e.gyroscopic * ww;
-    if (k == 0) alpha += alpha_P;
+    };
+    for (std::size_t i = 1; i < k; ++i) addRates(i);
+    Array4 xq = Array4::Zero(), yq = Array4::Zero(), zq = Array4::Zero();
     if (kTurned) {
-      Array4 xq = Array4::Zero(), yq = Array4::Zero(), zq = Array4::Zero();
-      for (std::size_t i = 0; i <= k; ++i) {
+      const auto addProducts = [&](std::size_t i) {
         const Array4& p = q_[k - i];
         xq += q_[i] * p[0];
         yq += q_[i] * p[1];
         zq += q_[i] * p[2];
-      }
-      R[k] = rotationMatrix<T>(k == 0 ? T(1) : T(0), xq, yq, zq);
-      for (int j = 0; j < 9; ++j)
-        alpha += turning[static_cast<std::size_t>(j)] * R[k](j / 3, j % 3);
-      last_R = std::max(maxAbs(xq), std::max(maxAbs(yq), maxAbs(zq)));
+      };
+      for (std::size_t i = 1; i < k; ++i) addProducts(i);
+      addProducts(0);
+      if (k > 0) addProducts(k);
+    }
+    addRates(0);
+    if (k > 0) addRates(k);
+    Array4 alpha = e.gyroscopic * Array4(ww_x, ww_y, ww_z, T(0));
+    if (k == 0) alpha += alpha_P;
+    if (kTurned) {
+      setRotationMatrix<T>(k == 0 ? T(1) : T(0), xq, yq, zq, R[k]);
+      Array4 rows[3];
+      for (std::size_t j = 0; j < 3; ++j)
+        rows[j] = turning[3 * j] * R[k](int(j), 0) + turning[3 * j + 1] * R[k](int(j), 1) +
+                  turning[3 * j + 2] * R[k](int(j), 2);
+      alpha += rows[0] + (rows[1] + rows[2]);
+      if (k + 1 == N) last_R = std::max(maxAbs(xq), std::max(maxAbs(yq), maxAbs(zq)));
     }
     if (kPulled) {
       const std::size_t last = body_force_ ? k : std::min<std::size_t>(k, 2);
       if (body_force_ && k + 2 < N)
-        pull_torque[k + 2] += e.pull_W.cross(R[k] * e.f_P) *
-                              (inv_mass_ * time_unit * time_unit / T((k + 1) * (k + 2)));
+        pull_torque[k + 2] +=
+            e.pull_W.cross(R[k] * e.f_P) *
+            (inv_mass_ * time_unit * time_unit * kInverse<T>[k + 1] * kInverse<T>[k + 2]);
       Vector3<T> torque_P = Vector3<T>::Zero();
       for (std::size_t i = 1; i <= last; ++i) torque_P += R[k - i].transpose() * pull_torque[i];
       alpha += inv_I * lanes<T>(torque_P);
     }
-    w_[k + 1] = alpha / T(k + 1);
-    q_[k + 1] = (qw_x + (qw_y + qw_z)) / T(2 * (k + 1));
+    const T inverse = kInverse<T>[k + 1];
+    w_[k + 1] = alpha * inverse;
+    q_[k + 1] = (qw_x * sign_x + (qw_y * sign_y + qw_z * sign_z)) * (inverse / T(2));
   }
 
-  if (kTurned && body_force_) {
+  if (kTurned) integrate(e, time_unit, R, pull_torque);
+  valid_for_ = length(last_R) * time_unit;
+}
+
+template <class T>
+void TaylorSegmentT<T>::integrate(const Equations& e, T time_unit, const Rotations& R,
+                                  const Torques& pull_torque) {
+  if (body_force_) {
     momentum_[0].setZero();
     displacement_[0].setZero();
     displacement_[1].setZero();
-    for (std::size_t k = 0; k < N; ++k) {
-      momentum_[k + 1] = lanes<T>(R[k] * e.f_P) * (time_unit / T(k + 1));
-      if (k + 2 <= N) displacement_[k + 2] = momentum_[k + 1] * (inv_mass_ * time_unit / T(k + 2));
+    for (std::size_t k = 0; k < degree_; ++k) {
+      momentum_[k + 1] = lanes<T>(R[k] * e.f_P) * (time_unit * kInverse<T>[k + 1]);
+      if (k + 2 <= degree_)
+        displacement_[k + 2] = momentum_[k + 1] * (inv_mass_ * time_unit * kInverse<T>[k + 2]);
     }
   }
-  if (kTurned && body_torque_) {
+  if (body_torque_) {
     angular_impulse_[0].setZero();
-    for (std::size_t k = 0; k < N; ++k) {
+    for (std::size_t k = 0; k < degree_; ++k) {
       Vector3<T> torque_W = R[k] * e.tau_P + turnedMoment<T>(R[k], e.moments);
-      if (kPulled && k > 0) torque_W += pull_torque[k];
-      angular_impulse_[k + 1] = lanes<T>(torque_W) * (time_unit / T(k + 1));
+      if (k > 0) torque_W += pull_torque[k];
+      angular_impulse_[k + 1] = lanes<T>(torque_W) * (time_unit * kInverse<T>[k + 1]);
     }
   }
+}
 
-  // How far the last terms stay below rounding.
-  constexpr T kRounding = std::numeric_limits<T>::epsilon() / T(2);
-  const auto length = [&](T last, T before) {
-    return std::min(std::pow(kRounding / last, T(1) / T(N)),
-                    std::pow(kRounding / before, T(1) / T(N - 1)));
+template <class T>
+T TaylorSegmentT<T>::length(T last_R) const {
+  // How far the last terms stay at rounding. At the best step successive terms shrink by e²
+  // (Jorba and Zou), which the last but one is allowed, and which the first left out has on top.
+  const std::size_t N = degree_;
+  constexpr T kLast = std::numeric_limits<T>::epsilon();
+  constexpr T kLastButOne = T(7) * kLast;
+  const auto lengthOf = [&](T last, T before) {
+    return std::min(std::pow(kLast / last, kInverse<T>[N]),
+                    std::pow(kLastButOne / before, kInverse<T>[N - 1]));
   };
-  T s = length(maxAbs(q_[N]), std::max(maxAbs(q_[N - 1]), last_R / T(N)));
+  // last_R/N is the last coefficient of what the turned vectors integrate to
+  T s = lengthOf(maxAbs(q_[N]), std::max(maxAbs(q_[N - 1]), T(7) * last_R * kInverse<T>[N]));
   const Array4 I4 = lanes<T>(I_);
   const T size = std::max(maxAbs(w_[0]), std::max(maxAbs(w_[1]) * s, maxAbs(w_[2]) * s * s));
   const T size_L = std::max(maxAbs<T>(I4 * w_[0]),
@@ -225,17 +213,17 @@ void TaylorSegmentT<T>::expand(const Equations& e, T time_unit) {
   const auto ratio = [&](std::size_t n) {
     return std::max(maxAbs(w_[n]) / size, maxAbs<T>(I4 * w_[n]) / size_L);
   };
-  if (size > T(0)) s = std::min(s, length(ratio(N), ratio(N - 1)));
-  valid_for_ = s * time_unit;
+  if (size > T(0)) s = std::min(s, lengthOf(ratio(N), ratio(N - 1)));
+  return s;
 }
 
 template <class T>
 BodyStateT<T> TaylorSegmentT<T>::at(T dt) const {
   const T s = rate_unit_ * dt;
   // Horner's rule without the constant term
-  const auto increment = [s](const Series& series) {
-    Array4 sum = series[kOrder];
-    for (std::size_t k = kOrder - 1; k > 0; --k) sum = series[k] + s * sum;
+  const auto increment = [this, s](const Series& series) {
+    Array4 sum = series[degree_];
+    for (std::size_t k = degree_ - 1; k > 0; --k) sum = series[k] + s * sum;
     return Array4(s * sum);
   };
   BodyStateT<T> state;

@@ -56,8 +56,7 @@ std::vector<Case> casesFor(const Method& method) {
   std::vector<Case> accepted;
   for (const Case& c : allCases()) {
     const auto& wrenches = c.bench.world.wrenches;
-    if (method.claims_to(kTakesCoupling) ||
-        std::all_of(wrenches.begin(), wrenches.end(), HeldWrench::holds))
+    if (method.takes(kCoupling) || std::all_of(wrenches.begin(), wrenches.end(), HeldWrench::holds))
       accepted.push_back(c);
   }
   return accepted;
@@ -103,7 +102,7 @@ class Ladder {
 // A position that is exact for its wrench has no slope to show.
 TEST_P(EveryMethod, ConvergesAtItsClaimedOrder) {
   const Method& method = GetParam();
-  if (method.claims_to(kSolves)) GTEST_SKIP() << "has no order, see below";
+  if (method.claimsTo(kSolves)) GTEST_SKIP() << "has no order, see below";
   constexpr double kDuration = 2;  // [s]
   for (const Case& c : casesFor(method)) {
     const int order = c.torque_free ? method.free_order : method.order;
@@ -130,7 +129,7 @@ TEST_P(EveryMethod, ConvergesAtItsClaimedOrder) {
 TEST_P(EveryMethod, SolvesWhateverTheStepIfItSaysSo) {
   const Method& method = GetParam();
   for (const Case& c : casesFor(method)) {
-    if (!method.claims_to(kSolves) && !(c.torque_free && method.free_order == 0)) continue;
+    if (!method.claimsTo(kSolves) && !(c.torque_free && method.free_order == 0)) continue;
     const reference::Motions truth = test::referenceRun(c.bench, 2);
     for (int n : {1, 7, 300}) {
       const auto errors = test::motionErrors(c.bench.run(method.name, 2, n), truth);
@@ -201,7 +200,7 @@ double longStep(const Method& method) { return 0.5 * std::min(method.most_turn, 
 // There and back over 50 steps each way: rounding of about 1e-16 a step, grown by the motion.
 TEST_P(EveryMethod, IsReversibleIfAndOnlyIfItSaysSo) {
   const Method& method = GetParam();
-  if (method.claims_to(kSolves)) GTEST_SKIP() << "steps forwards only; the error is rounding";
+  if (method.claimsTo(kSolves)) GTEST_SKIP() << "steps forwards only; the error is rounding";
   Bench bench = freeBody();
   AppliedWrench push;
   push.point = {0.1, 0.2, 0.3};
@@ -215,14 +214,14 @@ TEST_P(EveryMethod, IsReversibleIfAndOnlyIfItSaysSo) {
   for (double h : {longStep(method), -longStep(method)})
     for (int i = 0; i < 50; ++i) method.step(system, h, states, workspace);
   const double error = angleBetween(states[0].q_WP, bench.initial.bodies[0].q_WP);
-  EXPECT_EQ(error < 1e-11, method.claims_to(kReversible)) << error;
+  EXPECT_EQ(error < 1e-11, method.claimsTo(kReversible)) << error;
 }
 
 TEST_P(EveryMethod, KeepsAngularMomentumToTheLastBitIfItSaysSo) {
   const Method& method = GetParam();
   const Bench bench = freeBody();
   const State end = bench.run(method.name, 10, 1000);
-  EXPECT_EQ(end.bodies[0].L_W == bench.initial.bodies[0].L_W, method.claims_to(kKeepsFreeL));
+  EXPECT_EQ(end.bodies[0].L_W == bench.initial.bodies[0].L_W, method.claimsTo(kKeepsFreeL));
   EXPECT_EQ(end.bodies[0].p_W, bench.initial.bodies[0].p_W);
 }
 
@@ -230,7 +229,7 @@ TEST_P(EveryMethod, KeepsAngularMomentumToTheLastBitIfItSaysSo) {
 // update drifts so fast that only short steps show it before the energy is at its greatest.
 TEST_P(EveryMethod, BoundsTheEnergyErrorIfItSaysSo) {
   const Method& method = GetParam();
-  if (method.claims_to(kSolves)) GTEST_SKIP() << "the error is rounding";
+  if (method.claimsTo(kSolves)) GTEST_SKIP() << "the error is rounding";
   const Bench bench = freeBody();
   const Body& body = bench.world.bodies[0];
   const double E_0 = kineticEnergy(body, bench.initial.bodies[0]);
@@ -242,7 +241,7 @@ TEST_P(EveryMethod, BoundsTheEnergyErrorIfItSaysSo) {
     worst = std::max(worst, std::abs(kineticEnergy(body, sim.state().bodies[0]) - E_0));
   }
   // 1e-11: what rounding adds up to over 20000 steps of up to fifteen drifts each
-  EXPECT_EQ(late < std::max(1.5 * early, 1e-11), method.claims_to(kBoundsEnergy))
+  EXPECT_EQ(late < std::max(1.5 * early, 1e-11), method.claimsTo(kBoundsEnergy))
       << early << " then " << late;
 }
 

@@ -101,10 +101,10 @@ TEST(WrenchSchedule, TakesManyAtTheSameInstantInOrder) {
   EXPECT_EQ(schedule.size(), 0u);
 }
 
-TEST(CoupledGroups, JoinWhatIsLinkedAndNothingElse) {
+TEST(LinkedBodies, JoinWhatIsLinkedAndNothingElse) {
   std::vector<Body> bodies(6);
   bodies[3].fixed = true;
-  const auto groups = coupledGroups(bodies, {{0, 2}, {}, {3, 4}, {3, 5}, {2, 1}});
+  const auto groups = linkedBodies(bodies, {{0, 2}, {}, {3, 4}, {3, 5}, {2, 1}});
   const std::vector<std::vector<std::size_t>> expected{{0, 1, 2}, {4}, {5}};
   EXPECT_EQ(groups, expected);
 }

@@ -8,6 +8,16 @@
 
 namespace rigid_body_sim {
 
+/// Resistance of the medium; zero where there is none.
+///   f = −(linear + quadratic |v|) v,   τ = −angular ω
+struct Drag {
+  double linear = 0;     ///< [N s/m] >= 0
+  double quadratic = 0;  ///< [N s²/m²] >= 0
+  double angular = 0;    ///< [N m s] >= 0
+
+  bool any() const { return linear != 0 || quadratic != 0 || angular != 0; }
+};
+
 /// What never changes about a rigid body, in the principal frame P: origin at the centre of mass,
 /// axes the principal axes.
 struct Body {
@@ -18,7 +28,8 @@ struct Body {
   Isometry3d X_BP;                ///< P in the body frame B that the user knows
   Quaterniond q_BP;               ///< the rotation of X_BP
   RotationSplit<double> split{};  ///< of its free rotation
-  bool fixed = false;             ///< never moves; its mass is then of no account
+  Drag drag;
+  bool fixed = false;  ///< never moves; its mass is then of no account
 };
 
 /// The body of the given mass properties, which must be free of faults (massPropertiesFault).

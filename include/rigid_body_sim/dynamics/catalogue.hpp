@@ -15,11 +15,10 @@ using StepFunction = void (*)(const System& system, double h, std::vector<BodySt
 
 /// What a method may claim; claims add up by |.
 enum Claim : unsigned {
-  kReversible = 1,     ///< a step of h, then of −h, is back to rounding
-  kBoundsEnergy = 2,   ///< the energy error of free motion does not grow with time
-  kKeepsFreeL = 4,     ///< angular momentum is constant to the last bit without torque
-  kSolves = 8,         ///< the error is rounding, whatever the step
-  kTakesCoupling = 16  ///< accepts wrenches that depend on more than the motion of their own body
+  kReversible = 1,    ///< a step of h, then of −h, is back to rounding
+  kBoundsEnergy = 2,  ///< the energy error of free motion does not grow with time
+  kKeepsFreeL = 4,    ///< angular momentum is constant to the last bit without torque
+  kSolves = 8         ///< the error is rounding, whatever the step
 };
 
 /// One row of the catalogue: a method and what it claims. The tests hold it to every claim.
@@ -30,14 +29,19 @@ struct Method {
   int evaluations;   ///< of the wrenches, per step
   double most_turn;  ///< [rad] |ω| h that a step follows; longer ones are taken in parts
   double cost;       ///< of a step of one body under one held wrench, relative to strang's
-  unsigned claims;
+  unsigned claims;   ///< sum of Claim
+  unsigned accepts;  ///< sum of Need
   StepFunction step;
 
-  bool claims_to(Claim claim) const { return (claims & claim) != 0; }
+  bool claimsTo(Claim claim) const { return (claims & claim) != 0; }
+  bool takes(unsigned needs) const { return (needs & ~accepts) == 0; }
 };
 
 /// Every method, by ascending order.
 const std::vector<Method>& catalogue();
+
+/// The names of the rows that take the needs, for messages: "rk4, dop853".
+std::string methodsThatTake(unsigned needs);
 
 /// The row of that name. Throws std::invalid_argument that lists the names there are.
 const Method& methodNamed(const std::string& name);

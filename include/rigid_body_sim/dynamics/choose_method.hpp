@@ -3,8 +3,7 @@
 #include <vector>
 
 #include <rigid_body_sim/dynamics/catalogue.hpp>
-#include <rigid_body_sim/dynamics/world.hpp>
-#include <rigid_body_sim/dynamics/wrench_schedule.hpp>
+#include <rigid_body_sim/dynamics/coupling.hpp>
 
 namespace rigid_body_sim {
 
@@ -19,10 +18,10 @@ struct MethodChoice {
 /// The cheapest row and number of parts with which bodies that act on one another hold the world's
 /// tolerance over its horizon, found by trying them from the given states on, against dop853 at
 /// steps so short that it agrees with itself. The cost is counted, not timed, so that the same
-/// scene always chooses the same. most_body_steps: bounds the work of one run of the trial; one cut short in time
-/// must do better by the square of what it was cut, since attitude errors grow up to quadratically.
-MethodChoice chooseMethod(const World& world, const std::vector<std::size_t>& members,
-                          const State& state, const std::vector<WrenchSchedule>& schedules,
-                          double most_body_steps);
+/// scene always chooses the same. most_body_steps: bounds the work of one run of the trial; one cut
+/// short in time must do better by the square of what it was cut, since attitude errors grow up to
+/// quadratically.
+MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const State& state,
+                          const std::vector<WrenchSchedule>& schedules, double most_body_steps);
 
 }  // namespace rigid_body_sim

@@ -14,12 +14,11 @@ namespace rigid_body_sim {
 /// else stepped by a method.
 class Group {
  public:
-  /// members: indices in the world, ascending; one only where the motion is to be solved. The world
-  /// must outlive the group and its copies.
-  Group(const World& world, std::vector<std::size_t> members, const MethodChoice& choice);
+  /// Where the motion is to be solved, one body without laws or drag. The world must outlive the
+  /// group and its copies.
+  Group(const World& world, const CoupledBodies& bodies, const MethodChoice& choice);
 
   const MethodChoice& choice() const { return choice_; }
-
   const std::vector<std::size_t>& members() const { return members_; }
 
   /// Takes what starts and ends at time t into account; to be called after every change of the
@@ -39,8 +38,9 @@ class Group {
   std::int64_t evaluations() const { return workspace_.evaluations; }
 
  private:
+  std::size_t localIndex(std::size_t body) const;
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
-  void solve(double t, double t_end);
+  void solve(double t, double t_end, double next_event);
   void stepInParts(double h);
 
   std::vector<std::size_t> members_;

@@ -73,8 +73,8 @@ class Simulation {
 
  private:
   void formGroups(double most_trial_steps);
-  MethodChoice chosen(const std::vector<std::size_t>& members, double most_trial_steps);
-  void requireAccepted(const AppliedWrench& wrench) const;
+  MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
+  void requireTaken(unsigned needs, std::size_t body) const;
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const State> initial_;

@@ -12,9 +12,9 @@ namespace rigid_body_sim {
 /// an anchor on: a free flight where there is no torque, else a Taylor segment.
 class SolvedMotion {
  public:
-  /// Anchors the motion at a state of time t [s].
+  /// Anchors the motion at a state of time t [s]; it is not asked for beyond t + horizon.
   SolvedMotion(const Body& body, const HeldWrench& wrench, const Vector3d& g_W, double t,
-               const BodyState& state);
+               const BodyState& state, double horizon);
 
   /// [s] the time up to which the solution holds; NaN where the motion is not finite.
   double validUntil() const;

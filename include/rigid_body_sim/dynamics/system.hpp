@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/force_law.hpp>
 #include <rigid_body_sim/dynamics/held_wrench.hpp>
 #include <rigid_body_sim/dynamics/state_dot.hpp>
 
@@ -16,6 +17,8 @@ struct System {
   std::vector<HeldWrench> held;        ///< one per body
   std::vector<AppliedWrench> coupled;  ///< whose axes or point turn with another body; indices are
                                        ///< those of this system
+  ForceLaws laws;                      ///< indices likewise
+  bool drags = false;                  ///< whether any of the bodies has drag
 };
 
 /// Memory that a method reuses from step to step.
@@ -27,8 +30,12 @@ struct Workspace {
   std::vector<BodyStateDot> dots;
 };
 
-/// Puts the wrench on each body, gravity included, into workspace.wrenches.
+/// Puts the wrench on each body, gravity included and drag left out, into workspace.wrenches.
 void evaluateWrenches(const System& system, const std::vector<BodyState>& states,
                       Workspace& workspace);
+
+/// As evaluateWrenches, with drag.
+void evaluateWrenchesAndDrag(const System& system, const std::vector<BodyState>& states,
+                             Workspace& workspace);
 
 }  // namespace rigid_body_sim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
 
 #include <rigid_body_sim/dynamics/body.hpp>
@@ -22,12 +23,15 @@ namespace rigid_body_sim {
 template <class T>
 class TaylorSegmentT {
  public:
-  /// Degree of the series. Measured: see doc/accuracy.md.
-  static constexpr int kOrder = 16;
+  /// The highest degree of the series: from 18 on, what longer segments save is about what each
+  /// costs more.
+  static constexpr int kOrder = 20;
 
   /// g_W [m/s²]: uniform gravity. start.q_WP must be a unit quaternion.
+  /// horizon [s]: the longest dt that will be asked for, where it is known; a short one takes fewer
+  /// terms. It promises nothing: see validFor().
   TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
-                 const BodyStateT<T>& start);
+                 const BodyStateT<T>& start, T horizon = std::numeric_limits<T>::infinity());
 
   /// [s] How long after its start the series holds to rounding. Infinite where the body does not
   /// turn; NaN where the motion is not finite.
@@ -47,8 +51,20 @@ class TaylorSegmentT {
   using Series = std::array<Array4, kOrder + 1>;
   struct Equations;
 
+  using Rotations = std::array<Matrix3<T>, kOrder>;  // series of R
+  using Torques = std::array<Vector3<T>, kOrder>;    // series of a torque in world axes
+
+  /// The coefficients of ω and q, from those before them. Without kTurned nothing but the torque
+  /// free equations is evaluated; kPulled: forces act at world points.
   template <bool kTurned, bool kPulled>
   void expand(const Equations& equations, T time_unit);
+
+  /// The series of momentum, displacement and angular momentum that R brings.
+  void integrate(const Equations& equations, T time_unit, const Rotations& R,
+                 const Torques& pull_torque);
+
+  /// How long, in time units, the series holds; last_R: the greatest element of the last of R.
+  T length(T last_R) const;
 
   BodyStateT<T> start_;
   Vector3<T> I_;
@@ -58,6 +74,7 @@ class TaylorSegmentT {
   Vector3<T> tau_W_;        // [N m] constant part of the torque in world axes
   bool body_force_;         // whether momentum_ and displacement_ are there
   bool body_torque_;        // whether angular_impulse_ is there
+  std::size_t degree_;      // of the series
   T rate_unit_;             // [1/s] power of two; the series are in s = rate_unit_ dt
   T valid_for_;             // [s]
   Series w_;                // [rate unit] angular velocity, principal axes
@@ -77,7 +94,7 @@ BodyStateT<T> advanceTaylor(const Body& body, const HeldWrench& wrench, const Ve
   constexpr int kMostSegments = 1000000;
   T left = duration;
   for (int count = 0; count < kMostSegments; ++count) {
-    const TaylorSegmentT<T> segment(body, wrench, g_W, state);
+    const TaylorSegmentT<T> segment(body, wrench, g_W, state, left);
     if (!(segment.validFor() < left)) return segment.at(left);
     state = segment.at(segment.validFor());
     left -= segment.validFor();

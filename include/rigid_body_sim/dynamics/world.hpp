@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <rigid_body_sim/dynamics/wrench.hpp>
+#include <rigid_body_sim/dynamics/force_law.hpp>
 
 namespace rigid_body_sim {
 
@@ -21,7 +21,11 @@ struct World {
   std::vector<Body> bodies;
   Vector3d g_W = Vector3d::Zero();      ///< [m/s²] uniform gravity
   std::vector<AppliedWrench> wrenches;  ///< scheduled by the scene; times from the start
+  ForceLaws laws;                       ///< between bodies, points and the world
   SolverOptions solver;
 };
+
+/// Kinetic energy of the bodies that move, and potential energy of gravity and of the laws [J].
+double mechanicalEnergy(const World& world, const State& state);
 
 }  // namespace rigid_body_sim

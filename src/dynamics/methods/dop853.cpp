@@ -54,7 +54,7 @@ void evaluateStages(const System& system, double h, const std::vector<BodyState>
         accumulate(dots[s * n + i], dop853::kA[stage][s], sum);
       if (stage > 0) workspace.stages[i] = stagePoint(states[i], sum, h);
     }
-    evaluateWrenches(system, workspace.stages, workspace);
+    evaluateWrenchesAndDrag(system, workspace.stages, workspace);
     for (std::size_t i = 0; i < n; ++i)
       dots[stage * n + i] = stateDot(*system.bodies[i], workspace.stages[i], workspace.wrenches[i]);
   }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include <rigid_body_sim/dynamics/catalogue.hpp>
+#include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/dynamics/free_motion.hpp>
 
 /// Methods made of kicks (impulses at fixed place and attitude) and drifts (motion without
@@ -34,7 +35,14 @@ constexpr KickDriftKick<kSteps> composition(const std::array<double, kSteps>& ga
   return result;
 }
 
-inline void kickAll(double h, const std::vector<Wrench>& wrenches, std::vector<BodyState>& states) {
+/// Impulses of the wrenches over h, and what drag does meanwhile.
+inline void kickAll(const System& system, double h, const std::vector<Wrench>& wrenches,
+                    std::vector<BodyState>& states) {
+  if (system.drags) {
+    for (std::size_t i = 0; i < states.size(); ++i)
+      dragKick(*system.bodies[i], wrenches[i], h, states[i]);
+    return;
+  }
   for (std::size_t i = 0; i < states.size(); ++i)
     kick(wrenches[i].f_W, wrenches[i].tau_W, wrenches[i].tau_P, h, states[i]);
 }
@@ -46,12 +54,12 @@ void kickDriftKick(const KickDriftKick<kDrifts>& method, const Drift& drift, con
                    double h, std::vector<BodyState>& states, Workspace& workspace) {
   if (!workspace.wrenches_current) evaluateWrenches(system, states, workspace);
   for (std::size_t k = 0; k < kDrifts; ++k) {
-    kickAll(method.kicks[k] * h, workspace.wrenches, states);
+    kickAll(system, method.kicks[k] * h, workspace.wrenches, states);
     for (std::size_t i = 0; i < states.size(); ++i)
       drift(*system.bodies[i], method.drifts[k] * h, states[i]);
     evaluateWrenches(system, states, workspace);
   }
-  kickAll(method.kicks[kDrifts] * h, workspace.wrenches, states);
+  kickAll(system, method.kicks[kDrifts] * h, workspace.wrenches, states);
   workspace.wrenches_current = true;
 }
 
@@ -65,7 +73,7 @@ void driftKickDrift(const DriftKickDrift<kKicks>& method, const Drift& drift, co
   for (std::size_t k = 0; k < kKicks; ++k) {
     driftAll(method.drifts[k] * h);
     evaluateWrenches(system, states, workspace);
-    kickAll(method.kicks[k] * h, workspace.wrenches, states);
+    kickAll(system, method.kicks[k] * h, workspace.wrenches, states);
   }
   driftAll(method.drifts[kKicks] * h);
   workspace.wrenches_current = false;

@@ -21,7 +21,7 @@ void rk4Step(const System& system, double h, std::vector<BodyState>& states, Wor
     if (stage > 0)
       for (std::size_t i = 0; i < n; ++i)
         workspace.stages[i] = stagePoint(states[i], dots[i], kNode[stage] * h);
-    evaluateWrenches(system, workspace.stages, workspace);
+    evaluateWrenchesAndDrag(system, workspace.stages, workspace);
     for (std::size_t i = 0; i < n; ++i) {
       dots[i] = stateDot(*system.bodies[i], workspace.stages[i], workspace.wrenches[i]);
       accumulate(dots[i], kWeight[stage], dots[n + i]);

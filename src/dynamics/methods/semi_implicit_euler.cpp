@@ -8,7 +8,7 @@ namespace rigid_body_sim {
 //   p += f h,  x += p/m h,  L += τ h,  ω = I⁻¹ L with I = A I₀ Aᵀ,  A turned by |ω| h about ω
 void semiImplicitEulerStep(const System& system, double h, std::vector<BodyState>& states,
                            Workspace& workspace) {
-  evaluateWrenches(system, states, workspace);
+  evaluateWrenchesAndDrag(system, states, workspace);
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Body& body = *system.bodies[i];
     const Wrench& w = workspace.wrenches[i];

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <rigid_body_sim/dynamics/force_law.hpp>
+
+namespace rigid_body_sim {
+
+/// Gravity of a point mass at a place of the world, on one body: with r from the place to the
+/// centre of mass,
+///   f = −mu m r/|r|³,   V = −mu m/|r|,
+/// and with the gradient also the torque of the uneven pull on a long body,
+///   τ = 3 mu/|r|⁵ r × (I r).
+/// The force that belongs to that torque is smaller than f by (size of the body/|r|)² and left out,
+/// so that the torque has no potential: its power counts as external.
+class CentralGravity final : public ForceLaw {
+ public:
+  /// mu [m³/s²] > 0: gravitational constant × mass at the centre.
+  CentralGravity(std::size_t body, const Vector3d& center_W, double mu, bool gradient)
+      : body_(body), center_W_(center_W), mu_(mu), gradient_(gradient) {}
+
+  std::vector<std::size_t> members() const override { return {body_}; }
+  std::shared_ptr<const ForceLaw> renamed(
+      const std::function<std::size_t(std::size_t)>& index) const override;
+  void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
+  double potentialEnergy(const Bodies& at) const override;
+  double externalPower(const Bodies& at) const override;
+  bool isDamped() const override { return false; }
+
+ private:
+  Vector3d radius(const BodyState& state) const;
+  Vector3d gradientTorque(const Body& body, const BodyState& state) const;  // principal axes
+
+  std::size_t body_;
+  Vector3d center_W_;
+  double mu_;
+  bool gradient_;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/wrench.hpp>
+
+namespace rigid_body_sim {
+
+/// A law of force between bodies, points and the world. It never changes and keeps no state: it
+/// adds the wrenches that follow from where the bodies are and how they move.
+///
+/// Over every motion, with F the law's wrenches and V its potential energy,
+///   Σ f · v + τ · ω = −dV/dt + externalPower.
+class ForceLaw {
+ public:
+  /// The bodies of a world or of a part of it, and their states, index by index.
+  struct Bodies {
+    const std::vector<const Body*>& bodies;
+    const std::vector<BodyState>& states;
+  };
+
+  virtual ~ForceLaw() = default;
+
+  /// Indices of the bodies it acts on.
+  virtual std::vector<std::size_t> members() const = 0;
+
+  /// The same law where the body of index i has index renamed(i).
+  virtual std::shared_ptr<const ForceLaw> renamed(
+      const std::function<std::size_t(std::size_t)>& index) const = 0;
+
+  /// Adds the wrench on each body.
+  virtual void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const = 0;
+
+  /// [J]
+  virtual double potentialEnergy(const Bodies& at) const = 0;
+
+  /// [W] Power that does not come out of the potential: negative where the law dissipates.
+  virtual double externalPower(const Bodies& at) const = 0;
+
+  /// Whether the wrenches depend on velocities.
+  virtual bool isDamped() const = 0;
+
+ protected:
+  ForceLaw() = default;
+  ForceLaw(const ForceLaw&) = default;
+  ForceLaw& operator=(const ForceLaw&) = default;
+};
+
+/// What a method must accept to advance bodies; needs add up by |.
+enum Need : unsigned {
+  kCoupling = 1,  ///< wrenches that depend on place and attitude of any of the bodies
+  kDrag = 2,      ///< drag, which has a flow of its own (dragKick)
+  kDamping = 4    ///< other wrenches that depend on velocities
+};
+
+using ForceLaws = std::vector<std::shared_ptr<const ForceLaw>>;
+
+}  // namespace rigid_body_sim

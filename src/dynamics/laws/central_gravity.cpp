@@ -1,0 +1,41 @@
+#include <rigid_body_sim/dynamics/central_gravity.hpp>
+
+namespace rigid_body_sim {
+
+std::shared_ptr<const ForceLaw> CentralGravity::renamed(
+    const std::function<std::size_t(std::size_t)>& index) const {
+  return std::make_shared<CentralGravity>(index(body_), center_W_, mu_, gradient_);
+}
+
+Vector3d CentralGravity::radius(const BodyState& state) const {
+  return (state.x_W - center_W_) + state.x_low_W;
+}
+
+Vector3d CentralGravity::gradientTorque(const Body& body, const BodyState& state) const {
+  const Vector3d r_W = radius(state);
+  const double r = r_W.norm();
+  const Vector3d n_P = rotateBack(state.q_WP, Vector3d(r_W / r));
+  return 3 * mu_ / (r * r * r) * n_P.cross(body.I.cwiseProduct(n_P));
+}
+
+void CentralGravity::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
+  const Body& body = *at.bodies[body_];
+  const BodyState& state = at.states[body_];
+  const Vector3d r_W = radius(state);
+  const double r = r_W.norm();
+  wrenches[body_].f_W -= mu_ * body.mass / (r * r * r) * r_W;
+  if (gradient_) wrenches[body_].tau_P += gradientTorque(body, state);
+}
+
+double CentralGravity::potentialEnergy(const Bodies& at) const {
+  return -mu_ * at.bodies[body_]->mass / radius(at.states[body_]).norm();
+}
+
+double CentralGravity::externalPower(const Bodies& at) const {
+  if (!gradient_) return 0;
+  const Body& body = *at.bodies[body_];
+  const BodyState& state = at.states[body_];
+  return gradientTorque(body, state).dot(angularVelocity(body.inv_I, state.L_P));
+}
+
+}  // namespace rigid_body_sim
