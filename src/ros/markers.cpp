@@ -9,12 +9,11 @@ namespace rigid_body_sim {
 namespace {
 
 using visualization_msgs::Marker;
+using Markers = std::vector<Marker>;
 
-constexpr Color kDefaultColor{0.35, 0.55, 0.85, 1.0};
+Markers markersOf(const Shape& shape) { return shapeMarkers(shape); }
 
-std::vector<Marker> markersOf(const Shape& shape) { return shapeMarkers(shape); }
-
-std::vector<Marker> markersOf(const MeshVisual& mesh) {
+Markers markersOf(const MeshVisual& mesh) {
   Marker marker;
   marker.type = Marker::MESH_RESOURCE;
   marker.mesh_resource = mesh.url;
@@ -23,19 +22,32 @@ std::vector<Marker> markersOf(const MeshVisual& mesh) {
   return {marker};
 }
 
-/// The marker's pose in V becomes that in B.
-void place(const Isometry3d& X_BV, geometry_msgs::Pose& pose) {
-  const geometry_msgs::Quaternion& q = pose.orientation;
-  const Quaterniond q_BV(X_BV.linear());
-  pose.position = toPoint(X_BV * fromPoint(pose.position));
-  pose.orientation = toQuaternion(q_BV * Quaterniond(q.w, q.x, q.y, q.z));
+/// From the frame of a geometry to the body frame.
+void place(const Isometry3d& X_BV, Marker& marker) {
+  const geometry_msgs::Quaternion& q = marker.pose.orientation;
+  marker.pose.position = toPoint(X_BV * fromPoint(marker.pose.position));
+  marker.pose.orientation =
+      toQuaternion(Quaterniond(X_BV.linear()) * Quaterniond(q.w, q.x, q.y, q.z));
 }
 
-void paint(const Color& color, std_msgs::ColorRGBA& paint) {
-  paint.r = static_cast<float>(color[0]);
-  paint.g = static_cast<float>(color[1]);
-  paint.b = static_cast<float>(color[2]);
-  paint.a = static_cast<float>(color[3]);
+/// A mesh of no given colour keeps the materials of its file, if it brings any.
+void paint(const std::optional<Color>& given, Marker& marker) {
+  constexpr Color kBlue{0.35, 0.55, 0.85, 1.0};
+  const Color color = given.value_or(kBlue);
+  marker.mesh_use_embedded_materials = marker.type == Marker::MESH_RESOURCE && !given;
+  marker.color.r = static_cast<float>(color[0]);
+  marker.color.g = static_cast<float>(color[1]);
+  marker.color.b = static_cast<float>(color[2]);
+  marker.color.a = static_cast<float>(color[3]);
+}
+
+Markers markersOf(const Visual& visual) {
+  Markers markers = std::visit([](const auto& g) { return markersOf(g); }, visual.geometry);
+  for (Marker& marker : markers) {
+    place(visual.X_BV, marker);
+    paint(visual.color, marker);
+  }
+  return markers;
 }
 
 }  // namespace
@@ -45,14 +57,10 @@ visualization_msgs::MarkerArray toMarkers(const Scene& scene) {
   for (const BodyDef& body : scene.bodies) {
     int id = 0;
     for (const Visual& visual : visualsOf(body)) {
-      const auto markers =
-          std::visit([](const auto& geometry) { return markersOf(geometry); }, visual.geometry);
-      for (Marker marker : markers) {
+      for (Marker& marker : markersOf(visual)) {
         marker.header.frame_id = marker.ns = body.name;
         marker.id = id++;
         marker.frame_locked = true;
-        place(visual.X_BV, marker.pose);
-        paint(visual.color.value_or(kDefaultColor), marker.color);
         all.markers.push_back(marker);
       }
     }

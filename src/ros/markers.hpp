@@ -6,8 +6,8 @@
 
 namespace rigid_body_sim {
 
-/// Markers of what there is to see of every body (visualsOf), each in its body's own frame, so that
-/// they follow tf and are sent once.
+/// Markers of every body, each in its body's own frame, so that they follow tf and are sent once:
+/// what visualsOf says there is to draw.
 visualization_msgs::MarkerArray toMarkers(const Scene& scene);
 
 }  // namespace rigid_body_sim

@@ -67,34 +67,33 @@ TEST(Markers, DrawCapsuleEllipsoidAndConeInTheirOwnFrames) {
   }
 }
 
-TEST(Markers, DrawEveryPartWhereItIs) {
-  const Scene scene = parseScene(R"(
-time_step: 1
-bodies:
-  - name: a
-    parts:
-      - {shape: {sphere: {radius: 1}}, mass: 1, position: [1, 2, 3]}
-      - {shape: {capsule: {radius: 1, length: 2}}, mass: 1, orientation: [0.5, 0.5, 0.5, 0.5]}
-)",
-                                 "test");
-  const auto markers = toMarkers(scene).markers;
+TEST(Markers, PlaceEveryPartInTheBodyFrame) {
+  // turned by 90° about x: z becomes −y; the capsule's caps lie along it
+  const auto markers = toMarkers(parseScene("time_step: 1\nbodies: [{name: a, parts: ["
+                                            "{shape: {box: [1, 1, 1]}, mass: 1},"
+                                            "{shape: {capsule: {radius: 1, length: 4}}, mass: 1, "
+                                            "position: [5, 0, 0], orientation: "
+                                            "[0.7071067811865476, 0, 0, 0.7071067811865476]}]}]",
+                                            "test"))
+                           .markers;
   ASSERT_EQ(markers.size(), 4U);
-  for (std::size_t i = 0; i < markers.size(); ++i) EXPECT_EQ(markers[i].id, static_cast<int>(i));
-  EXPECT_EQ(markers[0].pose.position.z, 3);
-  // the capsule's z axis lies along x
-  EXPECT_DOUBLE_EQ(markers[1].pose.position.x, -1);
-  EXPECT_DOUBLE_EQ(markers[2].pose.position.x, 1);
-  EXPECT_DOUBLE_EQ(markers[3].pose.orientation.y, 0.5);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(markers[static_cast<std::size_t>(i)].id, i);
+  EXPECT_EQ(markers[1].pose.position.x, 5);
+  EXPECT_NEAR(markers[1].pose.position.y, 2, 1e-15);
+  EXPECT_NEAR(markers[2].pose.position.y, -2, 1e-15);
+  EXPECT_NEAR(markers[3].pose.orientation.x, std::sqrt(0.5), 1e-15);
 }
 
-TEST(Markers, LeaveAMeshToTheViewer) {
-  Scene scene = parseScene(
-      "time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]", "test");
-  scene.bodies[0].visual.mesh = "package://p/a.stl";
-  const Marker marker = toMarkers(scene).markers.at(0);
-  EXPECT_EQ(marker.type, Marker::MESH_RESOURCE);
-  EXPECT_EQ(marker.mesh_resource, "package://p/a.stl");
-  expectScale(marker, 1, 1, 1);
+TEST(Markers, DrawAMeshByItsUrlInItsOwnColoursUnlessOneIsGiven) {
+  const std::string sphere = "shape: {sphere: {radius: 1}}, mass: 1, ";
+  const Marker own = markerOf(sphere + "visual: {mesh: 'package://p/a.dae'}");
+  EXPECT_EQ(own.type, Marker::MESH_RESOURCE);
+  EXPECT_EQ(own.mesh_resource, "package://p/a.dae");
+  EXPECT_TRUE(own.mesh_use_embedded_materials);
+  expectScale(own, 1, 1, 1);
+  const Marker given = markerOf(sphere + "visual: {mesh: '/m/a.stl', color: [1, 0, 0, 1]}");
+  EXPECT_EQ(given.mesh_resource, "file:///m/a.stl");
+  EXPECT_FALSE(given.mesh_use_embedded_materials);
 }
 
 TEST(Markers, HaveTheColourOfTheScene) {
