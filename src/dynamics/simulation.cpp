@@ -99,7 +99,7 @@ void Simulation::formGroups(double most_trial_steps) {
 MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_steps) {
   const unsigned needs = needsOf(*world_, bodies, schedules_);
   if (method_) {
-    requireTaken(needs, bodies.members.front());
+    requireTaken(*method_, needs, world_->bodies[bodies.members.front()].name);
     return {method_};
   }
   if (bodies.members.size() == 1 && needs == 0) return {};
@@ -109,19 +109,9 @@ MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_s
              chooseMethod(*world_, bodies, state_, schedules_, most_trial_steps);
 }
 
-void Simulation::requireTaken(unsigned needs, std::size_t body) const {
-  if (!method_ || method_->takes(needs)) return;
-  std::string what;
-  if (needs & kCoupling & ~method_->accepts) what = "laws or wrenches that couple bodies";
-  if (needs & kDrag & ~method_->accepts) what = "drag";
-  if (needs & kDamping & ~method_->accepts) what = "damping";
-  throw std::invalid_argument("integrator must be auto or take " + what + ", as body '" +
-                              world_->bodies[body].name + "' needs (" + methodsThatTake(needs) +
-                              "), got '" + method_->name + "'");
-}
-
 void Simulation::applyWrench(const std::string& slot, const AppliedWrench& wrench) {
-  if (!HeldWrench::holds(wrench)) requireTaken(kCoupling, wrench.body);
+  if (method_ && !HeldWrench::holds(wrench))
+    requireTaken(*method_, kCoupling, world_->bodies[wrench.body].name);
   schedules_[wrench.body].put(slot, wrench, state_.t);
   if (HeldWrench::holds(wrench))
     groups_[group_of_[wrench.body]].restart(state_.t, schedules_);

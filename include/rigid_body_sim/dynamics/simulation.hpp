@@ -61,8 +61,8 @@ class Simulation {
   /// Sum of the wrenches applied to a body now, without gravity.
   Wrench appliedWrench(std::size_t body) const;
 
-  /// The most parts that a step was taken in so far, because a body turned faster than the method
-  /// follows in one; 1 when none was.
+  /// The most parts that a step was taken in so far, because something turned, swung or decayed
+  /// faster than its method follows in one; 1 when none was.
   int mostParts() const;
 
   /// Evaluations of all wrenches by methods, summed over the groups there are now.
@@ -89,7 +89,6 @@ class Simulation {
  private:
   void formGroups(double most_trial_steps);
   MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
-  void requireTaken(unsigned needs, std::size_t body) const;
   bool allSolved() const;
   void startCoarse();
   void followCoarse();
