@@ -49,7 +49,8 @@ Vector6d secondMoments(const TriangleMesh& mesh, const Vector3d& reference) {
   CompensatedSum<Vector6d> sum(Vector6d::Zero());
   for (const Triangle& triangle : mesh.triangles) {
     const auto [a, b, c, d] = tetrahedron(mesh, triangle, reference);
-    const auto moment = [&, s = Vector3d(a + b + c)](int i, int j) {
+    // C++17 has no capture of structured bindings by reference
+    const auto moment = [&a = a, &b = b, &c = c, d = d, s = Vector3d(a + b + c)](int i, int j) {
       return d * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]);
     };
     Vector6d term;

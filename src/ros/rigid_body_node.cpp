@@ -19,9 +19,9 @@ enum ExitCode { kDone = 0, kBadInput = 1, kDiverged = 3 };
 void onSignal(int) { ros::requestShutdown(); }
 
 Scene readScene(const NodeOptions& options) {
-  const Scene scene = options.scene_file.empty()
-                          ? parseScene(options.scene_text, "parameter ~scene", packageDirectory)
-                          : loadScene(options.scene_file, packageDirectory);
+  Scene scene = options.scene_file.empty()
+                    ? parseScene(options.scene_text, "parameter ~scene", packageDirectory)
+                    : loadScene(options.scene_file, packageDirectory);
   for (const std::string& notice : scene.notices) ROS_WARN("%s", notice.c_str());
   return scene;
 }

@@ -43,6 +43,7 @@ void checkMotion(const Scene& scene, const BodyDef& body) {
 
 std::vector<MassProperties> placedParts(const std::vector<PartDef>& parts) {
   std::vector<MassProperties> placed;
+  placed.reserve(parts.size());
   for (const PartDef& part : parts)
     placed.push_back(transformed(isometry(part.orientation, part.position), massProperties(part)));
   return placed;

@@ -47,7 +47,7 @@ std::vector<WrenchDef> readWrenches(const Entry& value) {
 
 /// auto, or a row of the catalogue.
 std::string readIntegrator(const Entry& value) {
-  const std::string name = readText(value);
+  std::string name = readText(value);
   try {
     if (name != "auto") methodNamed(name);
   } catch (const std::invalid_argument& e) {

@@ -11,6 +11,7 @@ namespace {
 
 std::string namesOf(const std::vector<UrdfLink>& links) {
   std::vector<std::string> names;
+  names.reserve(links.size());
   for (const UrdfLink& link : links) names.push_back(printable(link.name));
   return nameList(names);
 }

@@ -50,7 +50,7 @@ Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
 
 /// A vertex as the file has it; one that is not finite is told before a transform spreads it.
 Vector3d finite(const aiVector3D& v, const std::string& path) {
-  const Vector3d vertex(v.x, v.y, v.z);
+  Vector3d vertex(v.x, v.y, v.z);
   if (vertex.allFinite()) return vertex;
   std::ostringstream reason;
   reason << "mesh vertices must be finite, got [" << vertex.transpose() << "]";

@@ -33,6 +33,7 @@ std::string bodyFault(const std::string& name, const std::vector<Body>& bodies) 
       std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
   if (body == bodies.end()) {
     std::vector<std::string> names;
+    names.reserve(bodies.size());
     for (const Body& known : bodies) names.push_back(known.name);
     return "unknown body '" + printable(name) + "' (known: " + nameList(names) + ")";
   }

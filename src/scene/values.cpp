@@ -114,6 +114,7 @@ std::vector<double> readNumbers(const Entry& value, std::size_t count, const std
   const std::vector<Entry> items = value.items(rule + bracketed(unit));
   if (items.size() != count) value.failRule(rule + bracketed(unit));
   std::vector<double> numbers;
+  numbers.reserve(count);
   for (const Entry& item : items) numbers.push_back(readNumber(item, unit));
   return numbers;
 }

@@ -61,14 +61,17 @@ std::vector<NamedMass> massesOfScene(const std::string& path) {
   return masses;
 }
 
+/// link: one that has a mass
+NamedMass massOfLink(const std::string& path, const UrdfLink& link) {
+  const std::string fault = massPropertiesFault(*link.mass);
+  if (!fault.empty()) throw std::runtime_error(path + ": link '" + link.name + "': " + fault);
+  return {link.name, "", *link.mass};
+}
+
 std::vector<NamedMass> massesOfUrdf(const std::string& path) {
   std::vector<NamedMass> masses;
-  for (const UrdfLink& link : readUrdf(path)) {
-    if (!link.mass) continue;
-    const std::string fault = massPropertiesFault(*link.mass);
-    if (!fault.empty()) throw std::runtime_error(path + ": link '" + link.name + "': " + fault);
-    masses.push_back({link.name, "", *link.mass});
-  }
+  for (const UrdfLink& link : readUrdf(path))
+    if (link.mass) masses.push_back(massOfLink(path, link));
   if (masses.empty()) throw std::runtime_error(path + ": no link has an <inertial>");
   return masses;
 }
