@@ -31,7 +31,10 @@ rigid_body_gtest(test_mass
 
 rigid_body_gtest(test_dynamics
   SOURCES
+    test/dynamics/test_law_motion.cpp
+    test/dynamics/test_laws.cpp
     test/dynamics/test_methods.cpp
+    test/dynamics/test_stiff_laws.cpp
     test/dynamics/test_simulation.cpp
     test/dynamics/test_wrench.cpp
     test/dynamics/test_wrench_schedule.cpp

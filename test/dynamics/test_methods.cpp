@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/law_benches.hpp"
 #include "support/reference_bench.hpp"
 #include "support/worlds.hpp"
 
@@ -41,6 +42,12 @@ Bench interruptedPush() {
   return bench;
 }
 
+Bench draggedSpring() {
+  Bench bench = test::boxOnSpring();
+  bench.world.bodies[0].drag = {0.3, 0.1, 0.2};
+  return bench;
+}
+
 std::vector<Case> allCases() {
   return {{"free", freeBody(), true},
           {"world_wrench_at_body_point", test::pushedBox(kWorld, 0, 0.1)},
@@ -48,17 +55,35 @@ std::vector<Case> allCases() {
           {"body_wrench_at_body_point", test::pushedBox(0, 0, 0.1)},
           {"body_wrench_at_world_point", test::pushedBox(0, kWorld, 0.1)},
           {"wrench_of_another_body", coupledBodies()},
-          {"start_and_end_inside_steps", interruptedPush()}};
+          {"start_and_end_inside_steps", interruptedPush()},
+          {"spring_to_the_world", test::boxOnSpring()},
+          {"spring_between_bodies", test::springPair()},
+          {"damped_spring_to_the_world", test::boxOnSpring(3)},
+          {"damped_spring_between_bodies", test::springPair(1)},
+          {"central_gravity", test::satellite()},
+          {"linear_drag", test::thrown({0.8, 0, 0}), true},
+          {"angular_drag", test::thrown({0, 0, 1.5})},
+          {"quadratic_drag", test::thrown({0, 0.3, 0}), true},
+          {"every_drag", test::thrown({0.4, 0.2, 1})},
+          {"drag_on_a_spring", draggedSpring()}};
+}
+
+/// What a row has to accept for the case.
+unsigned needsOf(const Case& c) {
+  const World& world = c.bench.world;
+  std::vector<WrenchSchedule> schedules(world.bodies.size());
+  for (const AppliedWrench& wrench : world.wrenches) schedules[wrench.body].put("", wrench, 0);
+  unsigned needs = 0;
+  for (const CoupledBodies& group : rigid_body_sim::coupledBodies(world, schedules))
+    needs |= rigid_body_sim::needsOf(world, group, schedules);
+  return needs;
 }
 
 /// The cases that a row accepts.
 std::vector<Case> casesFor(const Method& method) {
   std::vector<Case> accepted;
-  for (const Case& c : allCases()) {
-    const auto& wrenches = c.bench.world.wrenches;
-    if (method.takes(kCoupling) || std::all_of(wrenches.begin(), wrenches.end(), HeldWrench::holds))
-      accepted.push_back(c);
-  }
+  for (const Case& c : allCases())
+    if (method.takes(needsOf(c))) accepted.push_back(c);
   return accepted;
 }
 
@@ -156,9 +181,7 @@ TEST(Auto, SolvesWhatCanBeSolvedAndChoosesARowForTheRest) {
   for (Case c : allCases()) {
     c.bench.world.solver.horizon = 2;
     const Simulation sim = c.bench.simulation("auto", 0.01);
-    const auto& wrenches = c.bench.world.wrenches;
-    const bool held = std::all_of(wrenches.begin(), wrenches.end(), HeldWrench::holds);
-    EXPECT_EQ(sim.groups()[0].choice().method == nullptr, held) << c.name;
+    EXPECT_EQ(sim.groups()[0].choice().method == nullptr, needsOf(c) == 0) << c.name;
     EXPECT_TRUE(sim.groups()[0].choice().holds) << c.name;
   }
 }

@@ -6,7 +6,7 @@
 #include "support/reference_motion.hpp"
 #include "support/worlds.hpp"
 
-/// The reference motion of a bench: the same wrenches, written anew in long double.
+/// The reference motion of a bench: the same wrenches and laws, written anew in long double.
 namespace rigid_body_sim::test {
 
 namespace detail {
@@ -29,7 +29,7 @@ inline reference::Load loadOf(const AppliedWrench& applied, const reference::Mot
 
 }  // namespace detail
 
-/// The motions after a duration, gravity and scheduled wrenches of the bench acting.
+/// The motions after a duration, with all that acts on the bodies of the bench.
 inline reference::Motions referenceRun(const Bench& bench, double duration) {
   std::vector<double> instants{duration};
   for (const AppliedWrench& applied : bench.world.wrenches)
@@ -54,6 +54,8 @@ inline reference::Motions referenceRun(const Bench& bench, double duration) {
         loads[applied.body].f_W += load.f_W;
         loads[applied.body].tau_W += load.tau_W;
       }
+      for (const reference::Law& law : bench.reference_laws) law(bench.world.bodies, m, loads);
+      reference::addDrag(bench.world.bodies, m, loads);
       return loads;
     };
     motions = reference::advance(bench.world.bodies, wrenches, motions, t,

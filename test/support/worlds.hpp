@@ -1,10 +1,15 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/central_gravity.hpp>
 #include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/spring.hpp>
+
+#include "support/reference_laws.hpp"
 
 /// Small worlds that the tests share.
 namespace rigid_body_sim::test {
@@ -17,12 +22,24 @@ inline Body principalBody(const std::string& name, double mass, const Vector3d& 
 struct Bench {
   World world;
   State initial;
+  std::vector<reference::Law> reference_laws;  ///< the laws of the world, for the reference
 
   /// Adds a body with the given motion of its body frame; returns its index.
   std::size_t add(const Body& body, const BodyFrameMotion& motion) {
     world.bodies.push_back(body);
     initial.bodies.push_back(toBodyState(body, motion));
     return world.bodies.size() - 1;
+  }
+
+  void addSpring(const Spring::End& from, const Spring::End& to,
+                 const Spring::Constants& constants) {
+    world.laws.push_back(std::make_shared<Spring>(from, to, constants));
+    reference_laws.push_back(reference::spring(from, to, constants));
+  }
+
+  void addCentralGravity(std::size_t body, const Vector3d& center, double mu, bool gradient) {
+    world.laws.push_back(std::make_shared<CentralGravity>(body, center, mu, gradient));
+    reference_laws.push_back(reference::centralGravity(body, center, mu, gradient));
   }
 
   Simulation simulation(const std::string& integrator, double time_step) const {

@@ -12,9 +12,12 @@ using dop853::kStages;
 
 /// What a step got wrong by its embedded estimates, the greatest of all bodies: attitude [rad],
 /// angular momentum and momentum relative to their size and change, each by itself, so that a fast
-/// flight does not hide a bad attitude.
-double errorEstimate(double h, const std::vector<BodyState>& states,
+/// flight does not hide a bad attitude. Where a body has come to rest on a stiff spring, momenta
+/// are rounding and their relative errors mean nothing: those that turn it by less than 1e-9 rad
+/// within the step, or move it by less than 1e-9 of its radius of gyration, do not count.
+double errorEstimate(const System& system, double h, const std::vector<BodyState>& states,
                      const std::vector<BodyStateDot>& dots) {
+  constexpr double kIdle = 1e-9;
   const std::size_t n = states.size();
   double worst = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -30,12 +33,19 @@ double errorEstimate(double h, const std::vector<BodyState>& states,
       const double size = std::hypot(e5, 0.1 * e3);
       return size > 0 ? h * e5 * (e5 / size) : 0.0;
     };
-    const auto relative = [](double e, double scale) { return e > 0 ? e / scale : 0.0; };
+    // least: what does not count
+    const auto relative = [](double e, double least, double scale) {
+      return e <= least ? 0.0 : e / scale;
+    };
+    const Body& body = *system.bodies[i];
+    const double least_L = kIdle * body.I.minCoeff() / h;
+    const double least_p = kIdle * std::sqrt(body.I.maxCoeff() / body.mass) * body.mass / h;
     const double L = states[i].L_P.norm() + h * dots[i].L_dot_P.norm();
     const double p = states[i].p_W.norm() + h * dots[i].p_dot_W.norm();
-    worst = std::max({worst, 2 * combined(error5.q_dot.norm(), error3.q_dot.norm()),
-                      relative(combined(error5.L_dot_P.norm(), error3.L_dot_P.norm()), L),
-                      relative(combined(error5.p_dot_W.norm(), error3.p_dot_W.norm()), p)});
+    worst =
+        std::max({worst, 2 * combined(error5.q_dot.norm(), error3.q_dot.norm()),
+                  relative(combined(error5.L_dot_P.norm(), error3.L_dot_P.norm()), least_L, L),
+                  relative(combined(error5.p_dot_W.norm(), error3.p_dot_W.norm()), least_p, p)});
   }
   return worst;
 }
@@ -84,7 +94,7 @@ void dop853Step(const System& system, double h, std::vector<BodyState>& states,
     for (; done < parts; ++done) {
       evaluateStages(system, part, states, workspace);
       // not (error <= limit), so that a step to infinity is parted too
-      if (!(errorEstimate(std::abs(part), states, workspace.dots) <= kFollowed)) break;
+      if (!(errorEstimate(system, std::abs(part), states, workspace.dots) <= kFollowed)) break;
       endStep(part, workspace.dots, states);
     }
     if (done == parts) {

@@ -1,0 +1,194 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/law_benches.hpp"
+
+/// Laws whose rates no step of the scene follows, and laws in great number.
+namespace rigid_body_sim {
+namespace {
+
+using test::Bench;
+using test::principalBody;
+using test::tumbling;
+
+std::vector<std::string> rowsThatTake(unsigned needs) {
+  std::vector<std::string> names{"auto"};
+  for (const Method& row : catalogue())
+    if (row.takes(needs)) names.push_back(row.name);
+  return names;
+}
+
+constexpr double kStep = 0.01;  // [s]
+
+/// Auto is to hold its tolerance over the first steps.
+Simulation simulationOf(Bench bench, const std::string& row) {
+  bench.world.solver.horizon = 0.3;
+  return bench.simulation(row, kStep);
+}
+
+/// Steps for 0.3 s; every state must be finite and no faster than before.
+State slowedDown(const Bench& bench, const std::string& row) {
+  Simulation sim = simulationOf(bench, row);
+  double v = bench.initial.bodies[0].p_W.norm(), L = bench.initial.bodies[0].L_P.norm();
+  for (int i = 0; i < 30; ++i) {
+    sim.step();
+    const BodyState& s = sim.state().bodies[0];
+    // to the rounding of a velocity that has come to rest
+    EXPECT_LE(s.p_W.norm(), v * (1 + 1e-12)) << row << " step " << i;
+    EXPECT_LE(s.L_P.norm(), L * (1 + 1e-12)) << row << " step " << i;
+    v = s.p_W.norm();
+    L = s.L_P.norm();
+  }
+  return sim.state();
+}
+
+// c h/m = 300: the body stops after m v/c, within a step's way of its start.
+TEST(StiffDrag, StopsTheBodyUnderEveryRowThatTakesIt) {
+  constexpr double m = 2, c = 300 * m / kStep;
+  const Vector3d v(3, -1, 2), w(1, 2, 3);
+  for (const std::string& row : rowsThatTake(kDrag)) {
+    for (const Drag& drag : {Drag{c, 0, c}, Drag{c, c, c}}) {
+      Bench bench;
+      Body body = principalBody("body", m, {1, 2, 2.5});
+      body.drag = drag;
+      bench.add(body, tumbling(v, w));
+      const BodyState end = slowedDown(bench, row).bodies[0];
+      EXPECT_LE(end.p_W.norm(), 1e-15) << row;
+      EXPECT_LE(end.L_P.norm(), 1e-15) << row;
+      EXPECT_LE(end.x_W.norm(), v.norm() * kStep) << row;
+      EXPECT_LE(angleBetween(end.q_WP, Quaterniond::Identity()), w.norm() * kStep) << row;
+    }
+  }
+}
+
+// Falling at m g/c or √(m g/c) from the second step on.
+TEST(StiffDrag, LetsTheBodySinkAtItsTerminalVelocity) {
+  constexpr double m = 2, c = 300 * m / kStep, g = 9.81;
+  for (const std::string& row : rowsThatTake(kDrag)) {
+    for (bool quadratic : {false, true}) {
+      Bench bench;
+      bench.world.g_W = {0, 0, -g};
+      Body body = principalBody("body", m, {1, 2, 2.5});
+      body.drag = quadratic ? Drag{0, c, 0} : Drag{c, 0, 0};
+      bench.add(body, BodyFrameMotion());
+      const double v = quadratic ? std::sqrt(m * g / c) : m * g / c;
+      Simulation sim = simulationOf(bench, row);
+      while (sim.steps() < 30) sim.step();
+      const BodyState& end = sim.state().bodies[0];
+      EXPECT_NEAR(end.p_W.z() / m, -v, 1e-9 * v) << row << quadratic;
+      EXPECT_NEAR(end.x_W.z(), -0.3 * v, 2 * kStep * v) << row << quadratic;
+    }
+  }
+}
+
+/// A body hung on a spring of 1e6 N/m, pulled down by 1 cm; ωh = 7.
+Bench stiffSpring(double damping) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  BodyFrameMotion motion;
+  motion.x_W = {0, 0, -1.01};
+  bench.add(principalBody("weight", 2, {1, 2, 2.5}), motion);
+  bench.addSpring({kWorld, Vector3d::Zero()}, {0, Vector3d::Zero()}, {1e6, damping, 1});
+  return bench;
+}
+
+// From a damping ratio of 0.07 to 7; it ends m g/k below the length of rest.
+TEST(StiffSpring, ComesToRestUnderEveryRowThatTakesIt) {
+  for (double damping : {2e2, 2e3, 2e4}) {
+    const Bench bench = stiffSpring(damping);
+    const double E_0 = mechanicalEnergy(bench.world, bench.initial);
+    for (const std::string& row : rowsThatTake(kCoupling | kDamping)) {
+      Simulation sim = simulationOf(bench, row);
+      for (int i = 0; i < 300; ++i) {
+        sim.step();
+        EXPECT_LE(mechanicalEnergy(bench.world, sim.state()), E_0) << row << " " << damping;
+      }
+      const BodyState& end = sim.state().bodies[0];
+      EXPECT_NEAR(end.x_W.z(), -1 - 2 * 9.81 / 1e6, 1e-9) << row << " " << damping;
+      EXPECT_LE(end.p_W.norm(), 1e-8) << row << " " << damping;
+    }
+  }
+}
+
+// At 0.8 rad a step the update of first order swings in energy by ωh/2; it must not grow.
+TEST(StiffSpring, KeepsSwingingUnderEveryRowThatTakesIt) {
+  const Bench bench = stiffSpring(0);
+  const double E_rest = -2 * 9.81;  // hanging still, but for the m g/k of its stretch
+  const double E_0 = mechanicalEnergy(bench.world, bench.initial) - E_rest;
+  for (const std::string& row : rowsThatTake(kCoupling)) {
+    Simulation sim = simulationOf(bench, row);
+    for (int i = 0; i < 300; ++i) sim.step();
+    const double E = mechanicalEnergy(bench.world, sim.state()) - E_rest;
+    EXPECT_LT(E, 1.7 * E_0) << row;
+    if (row == "rk4") continue;  // damps by (ωh)⁶/72 a step
+    EXPECT_GT(E, 0.5 * E_0) << row;
+  }
+}
+
+/// A spring that counts how often it is asked.
+class CountedSpring final : public ForceLaw {
+ public:
+  CountedSpring(std::shared_ptr<const ForceLaw> spring, std::int64_t& count)
+      : spring_(std::move(spring)), count_(count) {}
+  const char* name() const override { return spring_->name(); }
+  std::vector<std::size_t> members() const override { return spring_->members(); }
+  std::shared_ptr<const ForceLaw> renamed(
+      const std::function<std::size_t(std::size_t)>& index) const override {
+    return std::make_shared<CountedSpring>(spring_->renamed(index), count_);
+  }
+  void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override {
+    ++count_;
+    spring_->addWrenches(at, wrenches);
+  }
+  double potentialEnergy(const Bodies& at) const override { return spring_->potentialEnergy(at); }
+  double externalPower(const Bodies& at) const override { return spring_->externalPower(at); }
+  bool isDamped() const override { return spring_->isDamped(); }
+
+ private:
+  std::shared_ptr<const ForceLaw> spring_;
+  std::int64_t& count_;
+};
+
+/// Balls in a row, a metre apart, each linked to the next.
+Bench chain(std::size_t balls, std::int64_t& count) {
+  Bench bench;
+  for (std::size_t i = 0; i < balls; ++i) {
+    BodyFrameMotion motion = tumbling({0, 0, i == 0 ? 1.0 : 0.0}, {0, 1, 0});
+    motion.x_W = {static_cast<double>(i), 0, 0};
+    bench.add(principalBody("ball" + std::to_string(i), 1, {0.1, 0.1, 0.1}), motion);
+    if (i == 0) continue;
+    const auto spring =
+        std::make_shared<Spring>(Spring::End{i - 1, {0.3, 0, 0}}, Spring::End{i, {-0.3, 0, 0}},
+                                 Spring::Constants{100, 0, 0.4});
+    bench.world.laws.push_back(std::make_shared<CountedSpring>(spring, count));
+  }
+  return bench;
+}
+
+TEST(Chain, OfAThousandBodiesAsksEachSpringOnceAnEvaluation) {
+  for (std::size_t balls : {10u, 1000u}) {
+    std::int64_t count = 0;
+    const Bench bench = chain(balls, count);
+    Simulation sim = bench.simulation("strang", 1e-3);
+    ASSERT_EQ(sim.groups().size(), 1u);
+    for (int i = 0; i < 20; ++i) sim.step();
+    EXPECT_EQ(sim.evaluations(), 21);
+    EXPECT_EQ(count, 21 * static_cast<std::int64_t>(balls - 1));
+    // what the first ball brought, shared out and none lost
+    Vector3d p = Vector3d::Zero();
+    for (const BodyState& s : sim.state().bodies) p += s.p_W;
+    EXPECT_LE((p - Vector3d(0, 0, 1)).norm(), 1e-13);
+    EXPECT_LT(sim.state().bodies[0].p_W.z(), 1);
+  }
+}
+
+TEST(Chain, FallsApartIntoGroupsWhereItIsCut) {
+  std::int64_t count = 0;
+  Bench bench = chain(10, count);
+  bench.world.laws.erase(bench.world.laws.begin() + 4);
+  EXPECT_EQ(bench.simulation("strang", 1e-3).groups().size(), 2u);
+}
+
+}  // namespace
+}  // namespace rigid_body_sim

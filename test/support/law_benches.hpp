@@ -1,0 +1,48 @@
+#pragma once
+
+#include "support/worlds.hpp"
+
+/// Small worlds with laws of force in them. Frequencies and rates are a few per second.
+namespace rigid_body_sim::test {
+
+/// A box that swings, off its centre, on a spring fixed in the world.
+inline Bench boxOnSpring(double damping = 0) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  bench.add(principalBody("box", 2, {0.5, 0.7, 0.9}), tumbling({0.5, 0.2, 0}, {1, -0.7, 0.4}));
+  bench.addSpring({kWorld, {0.2, -0.1, 1.5}}, {0, {0.3, 0.1, 0.2}}, {40, damping, 0.6});
+  return bench;
+}
+
+/// Two bodies that nothing holds but the spring between them.
+inline Bench springPair(double damping = 0) {
+  Bench bench;
+  bench.add(principalBody("upper", 2, {0.5, 0.7, 0.9}), tumbling({0.3, 0, -0.2}, {0.5, -0.7, 0.4}));
+  BodyFrameMotion motion = tumbling({-0.5, 0.3, 0.2}, {-0.3, 0.5, 0.4});
+  motion.x_W = {0.4, 0.3, -1.6};
+  bench.add(principalBody("lower", 1, {0.3, 0.2, 0.35}), motion);
+  bench.addSpring({0, {0.1, 0.2, -0.3}}, {1, {0, -0.2, 0.25}}, {5, damping, 0.8});
+  return bench;
+}
+
+/// A long body on an eccentric orbit of about 6 s, which it also feels in its attitude.
+inline Bench satellite() {
+  Bench bench;
+  BodyFrameMotion motion = tumbling({0, 1.1, 0.1}, {0.3, -0.2, 1});
+  motion.x_W = {1.2, -0.1, 0.4};
+  bench.add(principalBody("satellite", 3, {1, 2.5, 3}), motion);
+  bench.addCentralGravity(0, {0.2, -0.1, 0.4}, 1.3, true);
+  return bench;
+}
+
+/// A body thrown through a medium.
+inline Bench thrown(const Drag& drag) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  Body body = principalBody("feather", 1, {1, 2, 2.5});
+  body.drag = drag;
+  bench.add(body, tumbling({3, -1, 2}, {1, 1.5, 0.5}));
+  return bench;
+}
+
+}  // namespace rigid_body_sim::test

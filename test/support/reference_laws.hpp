@@ -1,0 +1,73 @@
+#pragma once
+
+#include <functional>
+
+#include <rigid_body_sim/dynamics/spring.hpp>
+
+#include "support/reference_motion.hpp"
+
+/// The laws of force, written anew in long double.
+namespace rigid_body_sim::reference {
+
+/// Adds the loads of a law.
+using Law = std::function<void(const std::vector<Body>&, const Motions&, Loads&)>;
+
+/// tension = k (l − l₀) + c dl/dt along the line between the ends.
+inline Law spring(const Spring::End& from, const Spring::End& to,
+                  const Spring::Constants& constants) {
+  return [=](const std::vector<Body>&, const Motions& m, Loads& loads) {
+    struct Point {
+      Vector arm = Vector::Zero(), r, v = Vector::Zero();
+    };
+    const auto pointOf = [&m](const Spring::End& end) {
+      Point p;
+      p.r = end.point.cast<Real>();
+      if (end.body == kWorld) return p;
+      const Motion& body = m[end.body];
+      const Matrix R = body.R();
+      p.arm = R * p.r;
+      p.r = body.x + p.arm;
+      p.v = body.v + (R * body.w).cross(p.arm);
+      return p;
+    };
+    const Point a = pointOf(from), b = pointOf(to);
+    const Vector d = b.r - a.r;
+    const Real l = d.norm();
+    const Real l_dot = d.dot(b.v - a.v) / l;
+    const Real tension = Real(constants.stiffness) * (l - Real(constants.rest_length)) +
+                         Real(constants.damping) * l_dot;
+    const Vector f = tension / l * d;
+    if (from.body != kWorld) {
+      loads[from.body].f_W += f;
+      loads[from.body].tau_W += a.arm.cross(f);
+    }
+    if (to.body != kWorld) {
+      loads[to.body].f_W -= f;
+      loads[to.body].tau_W -= b.arm.cross(f);
+    }
+  };
+}
+
+/// f = −mu m r/|r|³,  τ = 3 mu/|r|⁵ r × (R I Rᵀ r)
+inline Law centralGravity(std::size_t body, const Vector3d& center, double mu, bool gradient) {
+  return [=](const std::vector<Body>& bodies, const Motions& m, Loads& loads) {
+    const Vector r = m[body].x - center.cast<Real>();
+    const Real r3 = r.norm() * r.squaredNorm();
+    loads[body].f_W -= Real(mu) * Real(bodies[body].mass) / r3 * r;
+    if (!gradient) return;
+    const Matrix R = m[body].R();
+    const Vector I_r = R * (bodies[body].I.cast<Real>().asDiagonal() * (R.transpose() * r));
+    loads[body].tau_W += 3 * Real(mu) / (r3 * r.squaredNorm()) * r.cross(I_r);
+  };
+}
+
+/// f = −(linear + quadratic |v|) v,  τ = −angular ω
+inline void addDrag(const std::vector<Body>& bodies, const Motions& m, Loads& loads) {
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    const Drag& drag = bodies[i].drag;
+    loads[i].f_W -= (Real(drag.linear) + Real(drag.quadratic) * m[i].v.norm()) * m[i].v;
+    loads[i].tau_P -= Real(drag.angular) * m[i].w;
+  }
+}
+
+}  // namespace rigid_body_sim::reference
