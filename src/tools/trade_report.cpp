@@ -98,10 +98,18 @@ std::string tableText(const Trade& trade) {
 }
 
 std::string adviceText(const Trade& trade) {
-  const Setting* best = cheapestWithin(trade.settings, trade.reference, trade.error_budget);
-  if (!best) return text("no setting is known to stay within %.3g\n", trade.error_budget);
-  std::string advice = text("cheapest within %.3g, %.4g us of CPU per simulated second:\n",
-                            trade.error_budget, 1e-3 * best->cpu_ns_per_sim_s);
+  std::string advice;
+  double budget = trade.error_budget;
+  const double doubt = trade.reference.doubt.bounded();
+  if (2 * doubt > budget) {
+    budget = 2 * doubt;
+    advice = text("the reference is known to %.2g only, too little for an error budget of %.3g\n",
+                  doubt, trade.error_budget);
+  }
+  const Setting* best = cheapestWithin(trade.settings, trade.reference, budget);
+  if (!best) return advice + text("no setting stays within %.2g\n", budget);
+  advice += text("cheapest within %.3g, %.4g us of CPU per simulated second:\n", budget,
+                 1e-3 * best->cpu_ns_per_sim_s);
   advice += "integrator: " + best->integrator + "\n";
   advice += "time_step: " + numberText(best->time_step) + "\n";
   if (best->integrator != "auto" && trade.present.integrator == "auto")
