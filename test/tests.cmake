@@ -44,10 +44,14 @@ rigid_body_gtest(test_scene
     test/scene/test_file_errors.cpp
     test/scene/test_frames.cpp
     test/scene/test_key_errors.cpp
+    test/scene/test_mesh_of_scene.cpp
     test/scene/test_numbers.cpp
+    test/scene/test_parts_and_particles.cpp
     test/scene/test_read_mesh.cpp
     test/scene/test_shipped_scenes.cpp
+    test/scene/test_urdf.cpp
     test/scene/test_value_errors.cpp
+    test/scene/test_visuals_of.cpp
   LIBRARIES rigid_body_sim_scene)
 target_compile_definitions(test_scene PRIVATE
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
@@ -64,12 +68,15 @@ rigid_body_gtest(test_node
 
 rigid_body_gtest(test_tools
   SOURCES
+    test/tools/test_mass_properties_program.cpp
     test/tools/test_simulate_program.cpp
   LIBRARIES rigid_body_sim_scene)
 target_compile_definitions(test_tools PRIVATE
+  RIGID_BODY_SIM_CONFIG="${PROJECT_SOURCE_DIR}/config"
+  RIGID_BODY_SIM_MASS_PROPERTIES="$<TARGET_FILE:mass_properties>"
   RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:simulate>"
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
-add_dependencies(test_tools simulate)
+add_dependencies(test_tools mass_properties simulate)
 
 # rostests: the node in a process of its own, driven through its topics and services.
 find_package(rostest REQUIRED)

@@ -12,6 +12,12 @@ namespace {
 /// Bodies at some instants of a run.
 using Track = std::vector<std::vector<BodyState>>;
 
+struct Run {
+  Track track;
+  int parts;    ///< in which steps were taken: as many as asked for, or as it took
+  double cost;  ///< of a step, counted in what was evaluated; Method::cost is its unit
+};
+
 /// A trial of every row from the same start.
 class Trial {
   static constexpr double kParts = 8;  // into which every step can at least be divided
@@ -23,8 +29,9 @@ class Trial {
     const double h = world.solver.time_step;
     const double wanted = std::max(1.0, std::ceil(world.solver.horizon / h));
     const double affordable = most_body_steps / static_cast<double>(group.members.size());
-    steps_ = static_cast<int>(std::min(wanted, std::max(8.0, affordable / kParts)));
-    most_parts_ = static_cast<int>(std::max(kParts, affordable / steps_));
+    const double parts = std::max(kParts, partsNeeded());
+    steps_ = static_cast<int>(std::min(wanted, std::max(8.0, affordable / parts)));
+    most_parts_ = static_cast<int>(std::max(parts, affordable / steps_));
     const double share = steps_ / wanted;
     tolerance_ = world.solver.tolerance * std::min(1.0, share * share);
   }
@@ -32,23 +39,26 @@ class Trial {
   int mostParts() const { return most_parts_; }
 
   /// Nothing where the method cannot follow.
-  std::optional<Track> run(const Method& method, int parts) const {
+  std::optional<Run> run(const Method& method, int parts) const {
     constexpr int kInstants = 16;
     Group group(world_, group_, {&method, parts});
     std::vector<WrenchSchedule> schedules = schedules_;
     std::vector<BodyState> bodies = start_.bodies;
     group.restart(start_.t, schedules);
-    Track track;
+    Run run;
     try {
       for (int i = 0; i < steps_; ++i) {
         group.advance(time(i), time(i + 1), schedules, bodies);
         if ((i + 1) * kInstants / steps_ > i * kInstants / steps_)
-          track.push_back(membersOf(bodies));
+          run.track.push_back(membersOf(bodies));
       }
     } catch (const StepTooLong&) {
       return std::nullopt;
     }
-    return track;
+    run.parts = std::max(parts, group.mostParts());
+    run.cost =
+        method.cost * static_cast<double>(group.evaluations()) / (method.evaluations * steps_);
+    return run;
   }
 
   /// The worst error of attitude [rad], and of position relative to the path flown, as a share of
@@ -71,6 +81,14 @@ class Trial {
   }
 
  private:
+  /// Parts of a step that dop853 cannot do without at the start.
+  double partsNeeded() const {
+    Group group(world_, group_, {&methodNamed("dop853")});
+    std::vector<WrenchSchedule> schedules = schedules_;
+    group.restart(start_.t, schedules);
+    return std::min(1e5, group.partsNeeded(world_.solver.time_step, start_.bodies));
+  }
+
   double time(int step) const { return start_.t + step * world_.solver.time_step; }
 
   std::vector<BodyState> membersOf(const std::vector<BodyState>& bodies) const {
@@ -95,13 +113,15 @@ std::optional<Track> truthOf(const Trial& trial) {
   std::optional<Track> last;
   double last_error = std::numeric_limits<double>::infinity();
   for (int parts = 1; parts <= trial.mostParts(); parts *= 2) {
-    std::optional<Track> track = trial.run(dop853, parts);
-    if (track && last) {
-      const double error = trial.error(*last, *track);
-      if (error < 0.01 || (error < 1 && error >= last_error)) return track;
+    std::optional<Run> run = trial.run(dop853, parts);
+    if (run) parts = run->parts;
+    if (run && last) {
+      const double error = trial.error(*last, run->track);
+      if (error < 0.01 || (error < 1 && error >= last_error)) return std::move(run->track);
       last_error = error;
     }
-    last = std::move(track);
+    last.reset();
+    if (run) last = std::move(run->track);
   }
   return last;
 }
@@ -114,7 +134,7 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
   const unsigned needs = needsOf(world, group, schedules);
   const Trial trial(world, group, state, schedules, most_body_steps);
   const std::optional<Track> truth = truthOf(trial);
-  MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), false};
+  MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), 1, false};
   if (!truth) return best;
   double best_cost = std::numeric_limits<double>::infinity();
   // from the highest order down: what holds a tight tolerance bounds the cost of the others early
@@ -122,11 +142,13 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
     if (!row->takes(needs)) continue;
     double last_error = std::numeric_limits<double>::infinity();
     for (int parts = 1; parts * row->cost < best_cost && parts <= trial.mostParts(); parts *= 2) {
-      const std::optional<Track> track = trial.run(*row, parts);
-      const double error = track ? trial.error(*track, *truth) : last_error;
-      const bool holds = error <= kMargin;
-      if (holds || (!best.holds && error < best.error)) best = {&*row, parts, error, holds};
-      if (holds) best_cost = parts * row->cost;
+      const std::optional<Run> run = trial.run(*row, parts);
+      if (run) parts = run->parts;
+      const double error = run ? trial.error(run->track, *truth) : last_error;
+      const bool holds = run && error <= kMargin;
+      if (holds && run->cost >= best_cost) break;
+      if (holds || (!best.holds && error < best.error)) best = {&*row, parts, error, 1, holds};
+      if (holds) best_cost = run->cost;
       // rounding has the better of the shorter step, or the row cannot get there
       if (holds || (error < 1e3 && error > last_error / 1.5)) break;
       last_error = error;

@@ -2,6 +2,7 @@
 #include <numeric>
 #include <utility>
 
+#include <rigid_body_sim/dynamics/catalogue.hpp>
 #include <rigid_body_sim/dynamics/coupling.hpp>
 
 namespace rigid_body_sim {
@@ -67,6 +68,15 @@ unsigned needsOf(const World& world, const CoupledBodies& group,
     if (!schedules[body].allHeld()) needs |= kCoupling;
   }
   return needs;
+}
+
+void requireTaken(const World& world) {
+  std::vector<WrenchSchedule> schedules(world.bodies.size());
+  for (const AppliedWrench& wrench : world.wrenches) schedules[wrench.body].put("", wrench, 0);
+  const Method& method = methodNamed(world.solver.integrator);
+  for (const CoupledBodies& group : coupledBodies(world, schedules))
+    requireTaken(method, needsOf(world, group, schedules),
+                 world.bodies[group.members.front()].name);
 }
 
 }  // namespace rigid_body_sim

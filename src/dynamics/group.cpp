@@ -3,6 +3,7 @@
 #include <sstream>
 #include <utility>
 
+#include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/dynamics/group.hpp>
 
 namespace rigid_body_sim {
@@ -16,6 +17,11 @@ Group::Group(const World& world, const CoupledBodies& bodies, const MethodChoice
   }
   for (const auto& law : bodies.laws)
     system_.laws.push_back(law->renamed([this](std::size_t body) { return localIndex(body); }));
+  if (system_.laws.empty()) return;
+  std::vector<Stiffness> stiffness(members_.size());
+  for (const auto& law : system_.laws) law->addStiffness(system_.bodies, stiffness);
+  for (const Stiffness& of_body : stiffness)
+    law_rate_ = std::max({law_rate_, std::sqrt(of_body.frequency_squared), of_body.decay});
 }
 
 std::size_t Group::localIndex(std::size_t body) const {
@@ -87,19 +93,38 @@ void Group::solve(double t, double t_end, double next_event) {
   states_[0] = solved_->at(t_end);
 }
 
-/// One step of the method, or as many as it takes for it to follow the turn of the fastest body.
-void Group::stepInParts(double h) {
-  double turn = 0;
+double Group::partsNeeded(double h, const std::vector<BodyState>& bodies) {
+  for (std::size_t k = 0; k < members_.size(); ++k) states_[k] = bodies[members_[k]];
+  return std::ceil(h * fastestRate(h) / (choice_.method->most_turn * choice_.most_turn_share));
+}
+
+/// [1/s] What turns, swings or decays fastest within a step of h.
+double Group::fastestRate(double h) const {
+  double fastest = law_rate_;
   for (std::size_t k = 0; k < states_.size(); ++k)
-    turn = std::max(turn, h * angularVelocity(system_.bodies[k]->inv_I, states_[k].L_P).norm());
+    fastest = std::max(fastest, angularVelocity(system_.bodies[k]->inv_I, states_[k].L_P).norm());
+  if (!system_.drags || choice_.method->claimsTo(kRelaxes)) return fastest;
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    // the speed that steady forces may bring about counts too: quadratic drag grows with it
+    const Body& body = *system_.bodies[k];
+    const HeldWrench& held = system_.held[k];
+    const double push = body.mass * system_.g_W.norm() + held.f_W.norm() + held.f_P.norm();
+    fastest = std::max(fastest, dragRate(body, (states_[k].p_W.norm() + h * push) / body.mass));
+  }
+  return fastest;
+}
+
+/// One step of the method, or as many as it takes for it to follow what is fastest.
+void Group::stepInParts(double h) {
   const Method& method = *choice_.method;
-  const double needed = std::ceil(turn / method.most_turn);
+  const double turn = h * fastestRate(h);
+  const double needed = std::ceil(turn / (method.most_turn * choice_.most_turn_share));
   const double parts = std::max<double>(choice_.parts, needed);
   constexpr double kMostParts = 1e5;
   if (!(parts <= kMostParts)) {
     std::ostringstream reason;
-    reason << "a step turns the body by " << turn << " rad, more than " << method.name
-           << " follows in " << kMostParts << " parts";
+    reason << "a step spans " << turn << " rad of its turning, swinging or slowing down, more than "
+           << method.name << " follows in " << kMostParts << " parts";
     throw StepTooLong(reason.str());
   }
   if (needed > choice_.parts) most_parts_ = std::max(most_parts_, static_cast<int>(needed));

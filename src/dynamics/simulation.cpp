@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -51,6 +53,8 @@ void Simulation::reset(bool restart_time) {
     for (const AppliedWrench& wrench : world_->wrenches)
       schedules_[wrench.body].put("", wrench, state_.t);
   formGroups(kTrialAtStart);
+  coarse_.reset();
+  error_ = ErrorEstimate();
 }
 
 void Simulation::step() {
@@ -69,10 +73,11 @@ void Simulation::step() {
       throw SimulationDiverged(state_.t, world_->bodies[i].name, quantity);
   std::swap(state_, next_);
   ++steps_;
+  if (tracks_error_ && steps_ % 2 == 0) followCoarse();
 }
 
 State Simulation::sample(double t) const {
-  Simulation copy(*this);
+  Simulation copy(*this);  // shares the run beside it, which sampling leaves alone
   for (Group& group : copy.groups_) group.advance(state_.t, t, copy.schedules_, copy.state_.bodies);
   copy.state_.t = t;
   return std::move(copy.state_);
@@ -83,7 +88,9 @@ void Simulation::formGroups(double most_trial_steps) {
   group_of_.assign(world_->bodies.size(), 0);
   for (const CoupledBodies& bodies : coupledBodies(*world_, schedules_)) {
     for (std::size_t body : bodies.members) group_of_[body] = groups_.size();
-    groups_.emplace_back(*world_, bodies, chosen(bodies, most_trial_steps));
+    MethodChoice choice = chosen(bodies, most_trial_steps);
+    choice.most_turn_share = most_turn_share_;
+    groups_.emplace_back(*world_, bodies, choice);
     groups_.back().restart(state_.t, schedules_);
   }
 }
@@ -92,7 +99,7 @@ void Simulation::formGroups(double most_trial_steps) {
 MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_steps) {
   const unsigned needs = needsOf(*world_, bodies, schedules_);
   if (method_) {
-    requireTaken(needs, bodies.members.front());
+    requireTaken(*method_, needs, world_->bodies[bodies.members.front()].name);
     return {method_};
   }
   if (bodies.members.size() == 1 && needs == 0) return {};
@@ -102,39 +109,79 @@ MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_s
              chooseMethod(*world_, bodies, state_, schedules_, most_trial_steps);
 }
 
-void Simulation::requireTaken(unsigned needs, std::size_t body) const {
-  if (!method_ || method_->takes(needs)) return;
-  std::string what;
-  if (needs & kCoupling & ~method_->accepts) what = "laws or wrenches that couple bodies";
-  if (needs & kDrag & ~method_->accepts) what = "drag";
-  if (needs & kDamping & ~method_->accepts) what = "damping";
-  throw std::invalid_argument("integrator must be auto or take " + what + ", as body '" +
-                              world_->bodies[body].name + "' needs (" + methodsThatTake(needs) +
-                              "), got '" + method_->name + "'");
-}
-
 void Simulation::applyWrench(const std::string& slot, const AppliedWrench& wrench) {
-  if (!HeldWrench::holds(wrench)) requireTaken(kCoupling, wrench.body);
+  if (method_ && !HeldWrench::holds(wrench))
+    requireTaken(*method_, kCoupling, world_->bodies[wrench.body].name);
   schedules_[wrench.body].put(slot, wrench, state_.t);
   if (HeldWrench::holds(wrench))
     groups_[group_of_[wrench.body]].restart(state_.t, schedules_);
   else
     formGroups(kTrialInTheRun);
+  if (coarse_) {
+    coarse_->choices_ = choices_;
+    coarse_->applyWrench(slot, wrench);
+  }
 }
 
 void Simulation::clearWrenches() {
   for (WrenchSchedule& schedule : schedules_) schedule.clear();
   formGroups(kTrialInTheRun);
+  coarse_.reset();
 }
 
 void Simulation::clearWrenches(std::size_t body) {
   schedules_[body].clear();
   formGroups(kTrialInTheRun);
+  coarse_.reset();
 }
 
 void Simulation::clearWrenches(std::size_t body, const std::string& slot) {
   schedules_[body].clear(slot);
   formGroups(kTrialInTheRun);
+  coarse_.reset();
+}
+
+void Simulation::trackError() {
+  tracks_error_ = true;
+  if (steps_ % 2 == 0) startCoarse();
+}
+
+bool Simulation::allSolved() const {
+  return std::all_of(groups_.begin(), groups_.end(),
+                     [](const Group& group) { return group.choice().method == nullptr; });
+}
+
+/// Sets the second run off from the present state, at a step of even count.
+void Simulation::startCoarse() {
+  if (allSolved()) return;
+  World world = *world_;
+  world.solver.time_step *= 2;
+  coarse_ = std::make_shared<Simulation>(*this);
+  coarse_->world_ = std::make_shared<const World>(std::move(world));
+  coarse_->tracks_error_ = false;
+  coarse_->most_turn_share_ = 2;  // so that its parts, too, are twice as long
+  coarse_->coarse_.reset();
+  coarse_->steps_ = steps_ / 2;
+  coarse_->formGroups(kTrialInTheRun);
+}
+
+void Simulation::followCoarse() {
+  if (!coarse_) return startCoarse();
+  try {
+    while (2 * coarse_->steps_ < steps_) coarse_->step();
+  } catch (const SimulationDiverged&) {
+    error_.attitude = error_.position = std::numeric_limits<double>::infinity();
+    return;
+  }
+  for (const Group& group : groups_) {
+    if (!group.choice().method) continue;
+    const double ratio = std::exp2(group.choice().method->order) - 1;
+    for (std::size_t body : group.members()) {
+      const BodyState &fine = state_.bodies[body], &coarse = coarse_->state_.bodies[body];
+      error_.attitude = std::max(error_.attitude, angleBetween(fine.q_WP, coarse.q_WP) / ratio);
+      error_.position = std::max(error_.position, (fine.x_W - coarse.x_W).norm() / ratio);
+    }
+  }
 }
 
 int Simulation::mostParts() const {
@@ -165,6 +212,7 @@ Wrench Simulation::appliedWrench(std::size_t body) const {
 void Simulation::setState(std::size_t body, const BodyState& state) {
   state_.bodies[body] = state;
   groups_[group_of_[body]].restart(state_.t, schedules_);
+  coarse_.reset();
 }
 
 }  // namespace rigid_body_sim

@@ -54,7 +54,7 @@ void Outputs::publishOnce(const Scene& scene, const State& initial) {
           toTransform(poseOf(point), body.name, body.name + "/" + point.name, stamp));
   }
   if (!frames.transforms.empty()) tf_static_.publish(frames);
-  markers_.publish(toMarkers(scene, world_));
+  markers_.publish(toMarkers(scene));
 }
 
 void Outputs::publishDue(const State& state) {

@@ -2,12 +2,12 @@
 #include <cstdio>
 #include <exception>
 
-#include <ros/package.h>
 #include <ros/ros.h>
 
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "simulation_node.hpp"
+#include "tools/package_directory.hpp"
 
 using namespace rigid_body_sim;
 
@@ -19,10 +19,9 @@ enum ExitCode { kDone = 0, kBadInput = 1, kDiverged = 3 };
 void onSignal(int) { ros::requestShutdown(); }
 
 Scene readScene(const NodeOptions& options) {
-  const Scene scene =
-      options.scene_file.empty()
-          ? parseScene(options.scene_text, "parameter ~scene", ros::package::getPath)
-          : loadScene(options.scene_file, ros::package::getPath);
+  const Scene scene = options.scene_file.empty()
+                          ? parseScene(options.scene_text, "parameter ~scene", packageDirectory)
+                          : loadScene(options.scene_file, packageDirectory);
   for (const std::string& notice : scene.notices) ROS_WARN("%s", notice.c_str());
   return scene;
 }

@@ -111,11 +111,13 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
   response.success = paused_;
   if (!paused_) response.message = "not paused: step moves a paused simulation only";
   try {
-    for (std::uint32_t i = 0; response.success && i < request.steps && ros::ok(); ++i) {
+    for (std::uint32_t i = 0; response.success && i < request.steps; ++i) {
       simulation_.step();
       outputs_.publishDue(simulation_.state());
+      response.success = ros::ok();
     }
     if (response.success && request.steps > 0) outputs_.publishNow(simulation_.state());
+    if (!ros::ok()) response.message = "shut down before the last step";
   } catch (const SimulationDiverged& error) {
     // paused: the last finite state waits for a reset
     ROS_FATAL("%s", error.what());

@@ -1,14 +1,19 @@
 #include <cassert>
+#include <stdexcept>
 
+#include <rigid_body_sim/dynamics/coupling.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/check_scene.hpp>
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
+
+#include "build_laws.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 Body bodyOf(const BodyDef& def) {
   Body body = makeBody(def.name, massProperties(def));
+  body.drag = def.drag;
   body.fixed = def.fixed;
   return body;
 }
@@ -24,6 +29,16 @@ std::vector<AppliedWrench> wrenchesOf(const Scene& scene, const std::vector<Body
     wrenches.push_back(resolved.wrench);
   }
   return wrenches;
+}
+
+/// Refuses an integrator that does not take what acts in the scene.
+void checkIntegrator(const Scene& scene, const World& world) {
+  if (world.solver.integrator == "auto") return;
+  try {
+    requireTaken(world);
+  } catch (const std::invalid_argument& refused) {
+    throw SceneError(scene.source, 0, refused.what());
+  }
 }
 
 BodyFrameMotion motionOf(const BodyDef& def) {
@@ -44,7 +59,9 @@ World buildWorld(const Scene& scene) {
   for (const BodyDef& def : scene.bodies) world.bodies.push_back(bodyOf(def));
   if (scene.gravity) world.g_W = *scene.gravity;
   world.wrenches = wrenchesOf(scene, world.bodies);
+  world.laws = lawsOf(scene, world.bodies);
   world.solver = {scene.integrator, scene.time_step, scene.tolerance, scene.horizon};
+  checkIntegrator(scene, world);
   return world;
 }
 

@@ -32,6 +32,12 @@ std::vector<BodyDef> readBodies(const Entry& value) {
   return bodies;
 }
 
+std::vector<ForceDef> readForces(const Entry& value) {
+  std::vector<ForceDef> forces;
+  for (const Entry& item : value.items("must be a list of laws")) forces.push_back(readForce(item));
+  return forces;
+}
+
 std::vector<WrenchDef> readWrenches(const Entry& value) {
   std::vector<WrenchDef> wrenches;
   for (const Entry& item : value.items("must be a list of wrenches"))
@@ -67,6 +73,7 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
       {"tolerance", [](const Entry& e, Scene& s) { s.tolerance = readPositive(e, ""); }},
       {"horizon", [](const Entry& e, Scene& s) { s.horizon = readPositive(e, "s"); }},
       {"bodies", [](const Entry& e, Scene& s) { s.bodies = readBodies(e); }, true},
+      {"forces", [](const Entry& e, Scene& s) { s.forces = readForces(e); }},
       {"wrenches", [](const Entry& e, Scene& s) { s.wrenches = readWrenches(e); }},
   };
   const YamlNode document = parseYaml(yaml_text, context.source);

@@ -87,6 +87,7 @@ BodyDef readBody(const Entry& list_item) {
       {"position", [](const Entry& e, BodyDef& b) { b.position = readVector3(e, "m"); }},
       {"orientation", [](const Entry& e, BodyDef& b) { b.orientation = readQuaternion(e); }},
       {"twist", [](const Entry& e, BodyDef& b) { b.twist = readTwist(e); }},
+      {"drag", [](const Entry& e, BodyDef& b) { b.drag = readDrag(e); }},
       {"points", [](const Entry& e, BodyDef& b) { b.points = readPoints(e); }},
       {"fixed", [](const Entry& e, BodyDef& b) { b.fixed = readBoolean(e); }},
       {"visual", [](const Entry& e, BodyDef& b) { b.visual = readVisual(e); }},

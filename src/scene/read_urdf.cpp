@@ -30,7 +30,7 @@ class ParserMessages final : public console_bridge::OutputHandler {
       first_error_ = text;
   }
 
-  /// The one that says most: those after it say that an element failed for it.
+  /// Empty where there was none. Those after it say no more than that an element failed for it.
   const std::string& firstError() const { return first_error_; }
 
  private:
@@ -88,14 +88,16 @@ std::vector<UrdfLink> readUrdf(const std::string& path) {
   const std::string xml = readFile(path, "URDF file");
   const ParserMessages messages;
   urdf::ModelInterfaceSharedPtr model;
-  std::string reason = "not the XML of a robot";
+  std::string reason;
   try {
     model = urdf::parseURDF(xml);
-    if (!messages.firstError().empty()) reason = messages.firstError();
+    reason = messages.firstError();
+    if (!model && reason.empty()) reason = "not the XML of a robot";
   } catch (const std::exception& e) {
     reason = e.what();
   }
-  if (!model)
+  // the parser goes on after some errors, with zeros in place of what it could not read
+  if (!reason.empty())
     throw std::runtime_error(path + ": is not a URDF file that can be read: " + oneLine(reason));
 
   const std::filesystem::path directory = std::filesystem::path(path).parent_path();

@@ -8,6 +8,8 @@ namespace rigid_body_sim {
 
 BodyDef readBody(const Entry& entry);
 WrenchDef readWrench(const Entry& entry);
+ForceDef readForce(const Entry& entry);
+Drag readDrag(const Entry& entry);
 
 /// The value of `shape`: fills in either the shape or the mesh.
 void readSolid(const Entry& entry, SolidDef& solid);

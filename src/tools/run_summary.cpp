@@ -20,10 +20,18 @@ std::string text(const Vector3d& v) { return text("(%.4g, %.4g, %.4g)", v.x(), v
 
 double ratio(double difference, double scale) { return difference == 0 ? 0 : difference / scale; }
 
+/// By a wrench, by drag or by a law of force.
 bool isPushed(const World& world, std::size_t body, double t_end) {
-  return std::any_of(
-      world.wrenches.begin(), world.wrenches.end(),
-      [=](const AppliedWrench& wrench) { return wrench.body == body && wrench.start < t_end; });
+  const auto acts_on_it = [body](const auto& law) {
+    const std::vector<std::size_t> members = law->members();
+    return std::find(members.begin(), members.end(), body) != members.end();
+  };
+  return world.bodies[body].drag.any() ||
+         std::any_of(world.laws.begin(), world.laws.end(), acts_on_it) ||
+         std::any_of(world.wrenches.begin(), world.wrenches.end(),
+                     [=](const AppliedWrench& wrench) {
+                       return wrench.body == body && wrench.start < t_end;
+                     });
 }
 
 /// What a body has at one instant.
@@ -71,6 +79,11 @@ std::string runSummary(const World& world, const State& first, const State& last
     const Vector3d weight_impulse = body.mass * (last.t - first.t) * world.g_W;
     summary += isPushed(world, i, last.t) ? pushedText(a, b, weight_impulse)
                                           : keptText(a, b, weight_impulse);
+  }
+  if (!world.laws.empty()) {
+    const double energy = mechanicalEnergy(world, last);
+    summary += text("all together: energy %.4g J, %+.2g J since the start\n", energy,
+                    energy - mechanicalEnergy(world, first));
   }
   return summary;
 }

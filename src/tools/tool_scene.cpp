@@ -2,14 +2,14 @@
 
 #include <cstdio>
 
-#include <ros/package.h>
-
 #include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "package_directory.hpp"
 
 namespace rigid_body_sim {
 
 Scene loadToolScene(const std::string& path, const std::string& program) {
-  Scene scene = loadScene(path, ros::package::getPath);
+  Scene scene = loadScene(path, packageDirectory);
   for (const std::string& notice : scene.notices) printNotice(program, notice);
   return scene;
 }

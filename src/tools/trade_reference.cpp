@@ -94,8 +94,8 @@ Reference computeReference(const World& world, const State& initial, double dura
     std::swap(reference.method, reference.check);
     std::swap(reference.states, check);
   } else {
-    const bool undamped = takes(world, initial, "kahan_li8");
-    reference.check = solved ? "dop853" : undamped ? "kahan_li8" : "rk4";
+    const bool conservative = takes(world, initial, "kahan_li8");
+    reference.check = solved ? "dop853" : conservative ? "kahan_li8" : "rk4";
     check = refined(world, initial, reference.check, duration, &reference.states);
   }
   reference.doubt = errorsOf(world, check, reference.states);

@@ -19,7 +19,7 @@ struct Reference {
 /// The motion over a duration [s]. Where nothing acts but gravity: the exact rotation in long
 /// double, checked by Taylor series. Where nothing couples the bodies and nothing resists them:
 /// Taylor series in long double, checked by dop853. Else dop853, checked by kahan_li8 or, where
-/// there is damping, by rk4. A row is taken in shorter and shorter steps until it gains no more.
+/// there is drag or damping, by rk4. A row is taken in shorter and shorter steps until it gains no more.
 /// Throws SimulationDiverged where none of the steps goes through, and StepTooLong.
 Reference computeReference(const World& world, const State& initial, double duration);
 

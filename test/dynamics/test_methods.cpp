@@ -163,6 +163,30 @@ TEST(Auto, SolvesWhatCanBeSolvedAndChoosesARowForTheRest) {
   }
 }
 
+// Within a factor of 2: the two runs tell the leading term of the error, and what is measured is
+// the error at the end against the greatest of the run.
+TEST_P(EveryMethod, TellsItsErrorFromARunAtTwiceTheStep) {
+  const Method& method = GetParam();
+  if (method.claimsTo(kSolves)) GTEST_SKIP() << "errs by rounding";
+  for (const Case& c : casesFor(method)) {
+    if (c.torque_free) continue;  // has an order of its own
+    const int steps = method.order >= 6 ? 80 : 400;
+    Simulation sim = c.bench.simulation(method.name, 2.0 / steps);
+    sim.trackError();
+    double worst = 0;
+    for (int i = 1; i <= steps; ++i) {
+      sim.step();
+      if (i % (steps / 4) == 0)
+        worst = std::max(
+            worst,
+            test::motionErrors(sim.state(), test::referenceRun(c.bench, sim.time())).attitude);
+    }
+    if (worst < 1e-12) continue;  // rounding
+    EXPECT_GT(sim.errorEstimate().attitude, worst / 2) << c.name;
+    EXPECT_LT(sim.errorEstimate().attitude, worst * 4) << c.name;
+  }
+}
+
 TEST(Taylor, RefusesAWrenchThatTurnsWithAnotherBody) {
   try {
     coupledBodies().simulation("taylor", 0.01);

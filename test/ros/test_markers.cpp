@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "markers.hpp"
@@ -17,7 +16,7 @@ using visualization_msgs::Marker;
 Marker markerOf(const std::string& body_lines) {
   const Scene scene =
       parseScene("time_step: 0.01\nbodies: [{name: a, " + body_lines + "}]", "test");
-  const auto markers = toMarkers(scene, buildWorld(scene)).markers;
+  const auto markers = toMarkers(scene).markers;
   EXPECT_EQ(markers.size(), 1U);
   EXPECT_EQ(markers.at(0).header.frame_id, "a");
   EXPECT_TRUE(markers.at(0).frame_locked);
@@ -68,17 +67,33 @@ TEST(Markers, DrawCapsuleEllipsoidAndConeInTheirOwnFrames) {
   }
 }
 
-TEST(Markers, FindAMeshBesideTheSceneAndLeaveAUrlAlone) {
-  const auto resource = [](const std::string& mesh) {
-    Scene scene = parseScene(
-        "time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]", "test");
-    scene.source = "/scenes/top.yaml";
-    scene.bodies[0].visual.mesh = mesh;
-    return toMarkers(scene, buildWorld(scene)).markers.at(0).mesh_resource;
-  };
-  EXPECT_EQ(resource("package://p/a.stl"), "package://p/a.stl");
-  EXPECT_EQ(resource("../meshes/a.stl"), "file:///meshes/a.stl");
-  EXPECT_EQ(resource("/else/a.stl"), "file:///else/a.stl");
+TEST(Markers, PlaceEveryPartInTheBodyFrame) {
+  // turned by 90° about x: z becomes −y; the capsule's caps lie along it
+  const auto markers = toMarkers(parseScene("time_step: 1\nbodies: [{name: a, parts: ["
+                                            "{shape: {box: [1, 1, 1]}, mass: 1},"
+                                            "{shape: {capsule: {radius: 1, length: 4}}, mass: 1, "
+                                            "position: [5, 0, 0], orientation: "
+                                            "[0.7071067811865476, 0, 0, 0.7071067811865476]}]}]",
+                                            "test"))
+                           .markers;
+  ASSERT_EQ(markers.size(), 4U);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(markers[static_cast<std::size_t>(i)].id, i);
+  EXPECT_EQ(markers[1].pose.position.x, 5);
+  EXPECT_NEAR(markers[1].pose.position.y, 2, 1e-15);
+  EXPECT_NEAR(markers[2].pose.position.y, -2, 1e-15);
+  EXPECT_NEAR(markers[3].pose.orientation.x, std::sqrt(0.5), 1e-15);
+}
+
+TEST(Markers, DrawAMeshByItsUrlInItsOwnColoursUnlessOneIsGiven) {
+  const std::string sphere = "shape: {sphere: {radius: 1}}, mass: 1, ";
+  const Marker own = markerOf(sphere + "visual: {mesh: 'package://p/a.dae'}");
+  EXPECT_EQ(own.type, Marker::MESH_RESOURCE);
+  EXPECT_EQ(own.mesh_resource, "package://p/a.dae");
+  EXPECT_TRUE(own.mesh_use_embedded_materials);
+  expectScale(own, 1, 1, 1);
+  const Marker given = markerOf(sphere + "visual: {mesh: '/m/a.stl', color: [1, 0, 0, 1]}");
+  EXPECT_EQ(given.mesh_resource, "file:///m/a.stl");
+  EXPECT_FALSE(given.mesh_use_embedded_materials);
 }
 
 TEST(Markers, HaveTheColourOfTheScene) {

@@ -19,11 +19,11 @@ const std::string kAt = "s.yaml:6: body 'box': ";
 TEST(SceneKeys, MustBeKnown) {
   EXPECT_EQ(errorOf("timestep: 1\n"),
             "s.yaml:1: unknown key 'timestep' (known: world_frame, gravity, time_step, integrator, "
-            "tolerance, horizon, bodies, wrenches)");
+            "tolerance, horizon, bodies, forces, wrenches)");
   EXPECT_EQ(boxError("    mas: 1\n"),
             kAt +
                 "unknown key 'mas' (known: name, shape, mass, density, inertia, center_of_mass, "
-                "parts, particles, urdf, position, orientation, twist, points, fixed, visual)");
+                "parts, particles, urdf, position, orientation, twist, drag, points, fixed, visual)");
   EXPECT_EQ(boxError("    twist: {fram: world}\n"),
             kAt + "unknown key 'twist.fram' (known: frame, linear, angular)");
   EXPECT_EQ(boxError("    points: {a: {pos: [0, 0, 0]}}\n"),

@@ -18,7 +18,8 @@ enum Claim : unsigned {
   kReversible = 1,    ///< a step of h, then of −h, is back to rounding
   kBoundsEnergy = 2,  ///< the energy error of free motion does not grow with time
   kKeepsFreeL = 4,    ///< angular momentum is constant to the last bit without torque
-  kSolves = 8         ///< the error is rounding, whatever the step
+  kSolves = 8,        ///< the error is rounding, whatever the step
+  kRelaxes = 16       ///< drag, however stiff, is followed by its own flow (dragKick)
 };
 
 /// One row of the catalogue: a method and what it claims. The tests hold it to every claim.
@@ -27,7 +28,8 @@ struct Method {
   int order;         ///< of attitude and position, for every wrench that it accepts
   int free_order;    ///< of the attitude of a body without torque; 0: exact to rounding
   int evaluations;   ///< of the wrenches, per step
-  double most_turn;  ///< [rad] |ω| h that a step follows; longer ones are taken in parts
+  double most_turn;  ///< [rad] |ω| h that a step follows; longer ones are taken in parts. ω: of a
+                     ///< body's rotation, of swings on springs, or the rate of a decay
   double cost;       ///< of a step of one body under one held wrench, relative to strang's
   unsigned claims;   ///< sum of Claim
   unsigned accepts;  ///< sum of Need
@@ -42,6 +44,9 @@ const std::vector<Method>& catalogue();
 
 /// The names of the rows that take the needs, for messages: "rk4, dop853".
 std::string methodsThatTake(unsigned needs);
+
+/// Throws std::invalid_argument, naming the body, where the row does not take its needs.
+void requireTaken(const Method& method, unsigned needs, const std::string& body);
 
 /// The row of that name. Throws std::invalid_argument that lists the names there are.
 const Method& methodNamed(const std::string& name);

@@ -17,6 +17,7 @@ class CentralGravity final : public ForceLaw {
   CentralGravity(std::size_t body, const Vector3d& center_W, double mu, bool gradient)
       : body_(body), center_W_(center_W), mu_(mu), gradient_(gradient) {}
 
+  const char* name() const override { return "central gravity"; }
   std::vector<std::size_t> members() const override { return {body_}; }
   std::shared_ptr<const ForceLaw> renamed(
       const std::function<std::size_t(std::size_t)>& index) const override;

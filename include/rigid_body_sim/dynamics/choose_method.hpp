@@ -11,8 +11,9 @@ namespace rigid_body_sim {
 struct MethodChoice {
   const Method* method = nullptr;  ///< null: the motion is solved
   int parts = 1;
-  double error = 0;   ///< what the trial found, as a share of the tolerance
-  bool holds = true;  ///< whether any row was found to hold the tolerance
+  double error = 0;            ///< what the trial found, as a share of the tolerance
+  double most_turn_share = 1;  ///< of the turn that the method follows in one part
+  bool holds = true;           ///< whether any row was found to hold the tolerance
 };
 
 /// The cheapest row and number of parts with which bodies that act on one another hold the world's

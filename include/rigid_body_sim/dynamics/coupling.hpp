@@ -27,4 +27,8 @@ std::vector<CoupledBodies> coupledBodies(const World& world,
 unsigned needsOf(const World& world, const CoupledBodies& group,
                  const std::vector<WrenchSchedule>& schedules);
 
+/// Throws std::invalid_argument, naming the body, where the world's integrator is unknown or does
+/// not take what acts on one of its groups. For a world whose integrator is not auto.
+void requireTaken(const World& world);
+
 }  // namespace rigid_body_sim

@@ -8,6 +8,12 @@
 
 namespace rigid_body_sim {
 
+/// How fast laws make one body swing and slow down, whatever the state: sums over the laws on it.
+struct Stiffness {
+  double frequency_squared = 0;  ///< [1/s²] bound on that of its swings
+  double decay = 0;              ///< [1/s] bound on the rate of its damping
+};
+
 /// A law of force between bodies, points and the world. It never changes and keeps no state: it
 /// adds the wrenches that follow from where the bodies are and how they move.
 ///
@@ -23,7 +29,10 @@ class ForceLaw {
 
   virtual ~ForceLaw() = default;
 
-  /// Indices of the bodies it acts on.
+  /// For messages, such as "spring".
+  virtual const char* name() const = 0;
+
+  /// Indices of the bodies it acts on: at least one, none of them fixed.
   virtual std::vector<std::size_t> members() const = 0;
 
   /// The same law where the body of index i has index renamed(i).
@@ -41,6 +50,11 @@ class ForceLaw {
 
   /// Whether the wrenches depend on velocities.
   virtual bool isDamped() const = 0;
+
+  /// Adds what the law brings about at any state, body by body, so that steps can be kept short
+  /// enough. A law whose rates depend on the state adds nothing.
+  virtual void addStiffness(const std::vector<const Body*>& /*bodies*/,
+                            std::vector<Stiffness>& /*stiffness*/) const {}
 
  protected:
   ForceLaw() = default;

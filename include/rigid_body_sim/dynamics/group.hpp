@@ -30,8 +30,12 @@ class Group {
   void advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
                std::vector<BodyState>& bodies);
 
-  /// The most parts that a step was taken in so far, because a body turned faster than the method
-  /// follows in one; 1 when none was.
+  /// The parts in which a step of h must at least be taken for the method to follow what turns,
+  /// swings or decays at the present states of all bodies.
+  double partsNeeded(double h, const std::vector<BodyState>& bodies);
+
+  /// The most parts that a step was taken in so far, because something turned, swung or decayed
+  /// faster than the method follows in one; 1 when none was.
   int mostParts() const { return most_parts_; }
 
   /// Evaluations of all wrenches so far.
@@ -41,6 +45,7 @@ class Group {
   std::size_t localIndex(std::size_t body) const;
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
   void solve(double t, double t_end, double next_event);
+  double fastestRate(double h) const;
   void stepInParts(double h);
 
   std::vector<std::size_t> members_;
@@ -49,6 +54,7 @@ class Group {
   Workspace workspace_;
   std::vector<BodyState> states_;       // of the members, while they are advanced
   std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
+  double law_rate_ = 0;                 // [1/s] the fastest that laws bring about at any state
   int most_parts_ = 1;
 };
 

@@ -20,6 +20,12 @@ class SimulationDiverged : public std::runtime_error {
   std::string quantity;  ///< what failed, such as "angular momentum is no longer finite"
 };
 
+/// What a run is estimated to have got wrong so far, the worst of all bodies.
+struct ErrorEstimate {
+  double attitude = 0;  ///< [rad]
+  double position = 0;  ///< [m]
+};
+
 /// Advances a world by its fixed time step. Time is step count × step, never accumulated.
 /// Wrenches start and end at their exact instants, whatever the step. Bodies that do not act on one
 /// another are advanced apart. A copy goes on by itself.
@@ -55,12 +61,21 @@ class Simulation {
   /// Sum of the wrenches applied to a body now, without gravity.
   Wrench appliedWrench(std::size_t body) const;
 
-  /// The most parts that a step was taken in so far, because a body turned faster than the method
-  /// follows in one; 1 when none was.
+  /// The most parts that a step was taken in so far, because something turned, swung or decayed
+  /// faster than its method follows in one; 1 when none was.
   int mostParts() const;
 
   /// Evaluations of all wrenches by methods, summed over the groups there are now.
   std::int64_t evaluations() const;
+
+  /// From now on a second simulation runs along at twice the step, for half the cost: by how much
+  /// the two differ tells the error (Richardson). Bodies whose motion is solved differ by rounding
+  /// only; where all are, nothing runs along.
+  void trackError();
+
+  /// The greatest error so far since trackError, estimated at every other step: the difference of
+  /// the two runs over 2^order − 1. Infinite once the second run has diverged.
+  const ErrorEstimate& errorEstimate() const { return error_; }
 
   /// How the bodies are advanced: those that act on one another together, each group in its way.
   const std::vector<Group>& groups() const { return groups_; }
@@ -74,7 +89,9 @@ class Simulation {
  private:
   void formGroups(double most_trial_steps);
   MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
-  void requireTaken(unsigned needs, std::size_t body) const;
+  bool allSolved() const;
+  void startCoarse();
+  void followCoarse();
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const State> initial_;
@@ -86,6 +103,10 @@ class Simulation {
   std::vector<Group> groups_;
   std::vector<std::size_t> group_of_;  // body -> index in groups_; of no account for a fixed body
   std::map<std::vector<std::size_t>, MethodChoice> choices_;  // of auto, by members
+  double most_turn_share_ = 1;                                // MethodChoice's
+  bool tracks_error_ = false;
+  std::shared_ptr<Simulation> coarse_;  // at twice the step; null until a step of even count
+  ErrorEstimate error_;
 };
 
 }  // namespace rigid_body_sim

@@ -26,6 +26,7 @@ class Spring final : public ForceLaw {
   Spring(const End& from, const End& to, const Constants& constants)
       : ends_{from, to}, constants_(constants) {}
 
+  const char* name() const override { return "spring"; }
   std::vector<std::size_t> members() const override;
   std::shared_ptr<const ForceLaw> renamed(
       const std::function<std::size_t(std::size_t)>& index) const override;
@@ -33,6 +34,8 @@ class Spring final : public ForceLaw {
   double potentialEnergy(const Bodies& at) const override;
   double externalPower(const Bodies& at) const override;
   bool isDamped() const override { return constants_.damping > 0; }
+  void addStiffness(const std::vector<const Body*>& bodies,
+                    std::vector<Stiffness>& stiffness) const override;
 
  private:
   struct Stretch {

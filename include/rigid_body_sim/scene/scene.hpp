@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/body.hpp>
 #include <rigid_body_sim/mass/particles.hpp>
 #include <rigid_body_sim/mass/shapes.hpp>
 #include <rigid_body_sim/scene/visual.hpp>
@@ -78,6 +80,7 @@ struct BodyDef : SolidDef {
   Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the world
   Quaterniond orientation = Quaterniond::Identity();  ///< q_WB, unit
   TwistDef twist;
+  Drag drag;
   std::vector<PointDef> points;
   bool fixed = false;  ///< it never moves
   VisualDef visual;
@@ -99,6 +102,35 @@ struct WrenchDef {
   int line = 0;
 };
 
+/// Where a spring ends: at a point of a body or of the world.
+struct SpringEndDef {
+  std::string body;                   ///< empty: the world
+  Vector3d point = Vector3d::Zero();  ///< [m] in the body frame, or in the world
+  int line = 0;
+};
+
+/// See Spring for the law.
+struct SpringDef {
+  SpringEndDef from, to;
+  double stiffness = 0;    ///< [N/m] >= 0
+  double damping = 0;      ///< [N s/m] >= 0
+  double rest_length = 0;  ///< [m] >= 0
+};
+
+/// See CentralGravity for the law; it acts on every body that moves.
+struct CentralGravityDef {
+  Vector3d center = Vector3d::Zero();  ///< [m]
+  double mu = 0;                       ///< [m³/s²] > 0
+  bool gradient = false;
+};
+
+using ForceLawDef = std::variant<SpringDef, CentralGravityDef>;
+
+struct ForceDef {
+  ForceLawDef law;
+  int line = 0;
+};
+
 struct Scene {
   std::string source = "scene";  ///< file name, for messages
   std::string world_frame = "world";
@@ -108,6 +140,7 @@ struct Scene {
   double tolerance = 1e-9;          ///< with auto; see SolverOptions
   double horizon = 10;              ///< [s] also how long `simulate` runs
   std::vector<BodyDef> bodies;
+  std::vector<ForceDef> forces;
   std::vector<WrenchDef> wrenches;
   std::vector<std::string> notices;  ///< what the reader put right; for the user to see
 };

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <rigid_body_sim/dynamics/drag.hpp>
@@ -15,7 +16,7 @@ Vector3d relaxed(const Vector3d& y, const Vector3d& f, double rate, double h) {
 }
 
 /// Momentum after h of p' = f − (linear + quadratic v̄) p/m with v̄ the mean of the speeds before and
-/// after: the root of a function that falls in v̄, by bisection and secant (Illinois).
+/// after: the root of excess(v̄), bracketed, by regula falsi (Illinois).
 Vector3d relaxedQuadratic(const Body& body, const Vector3d& p, const Vector3d& f, double h) {
   const double speed = p.norm() / body.mass;
   const auto after = [&](double mean_speed) {
@@ -24,22 +25,27 @@ Vector3d relaxedQuadratic(const Body& body, const Vector3d& p, const Vector3d& f
   const auto excess = [&](double mean_speed) {
     return 0.5 * (speed + after(mean_speed).norm() / body.mass) - mean_speed;
   };
-  double low = 0.5 * speed, high = 0.5 * (speed + after(0).norm() / body.mass);
+  // no drag leaves more than the momentum and the impulse together
+  double low = 0.5 * speed, high = speed + 0.5 * h * f.norm() / body.mass;
   double e_low = excess(low), e_high = excess(high);
-  for (int i = 0; i < 200 && high - low > 4e-16 * high && e_low > 0 && e_high < 0; ++i) {
+  if (!(e_low > 0)) return after(low);
+  int last_side = 0;
+  for (int i = 0; i < 100 && e_high < 0 && high - low > 4e-16 * high; ++i) {
     const double guess = (low * e_high - high * e_low) / (e_high - e_low);
     const double e = excess(guess);
+    if (std::abs(e) <= 2e-16 * guess) return after(guess);
     if (e > 0) {
       low = guess;
       e_low = e;
-      e_high /= 2;
+      if (last_side > 0) e_high /= 2;
     } else {
       high = guess;
       e_high = e;
-      e_low /= 2;
+      if (last_side < 0) e_low /= 2;
     }
+    last_side = e > 0 ? 1 : -1;
   }
-  return after(0.5 * (low + high));
+  return after(high);
 }
 
 }  // namespace
@@ -48,6 +54,11 @@ void addDrag(const Body& body, const BodyState& state, Wrench& wrench) {
   const Vector3d v_W = state.p_W / body.mass;
   wrench.f_W -= (body.drag.linear + body.drag.quadratic * v_W.norm()) * v_W;
   wrench.tau_P -= body.drag.angular * angularVelocity(body.inv_I, state.L_P);
+}
+
+double dragRate(const Body& body, double speed) {
+  return std::max((body.drag.linear + 2 * body.drag.quadratic * speed) / body.mass,
+                  body.drag.angular * body.inv_I.maxCoeff());
 }
 
 double dragPower(const Body& body, const BodyState& state) {

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <rigid_body_sim/dynamics/spring.hpp>
 
 namespace rigid_body_sim {
@@ -20,6 +22,17 @@ Vector3d velocityOf(const Spring::End& end, const ForceLaw::Bodies& at) {
   const BodyState& s = at.states[end.body];
   const Vector3d w_P = angularVelocity(body.inv_I, s.L_P);
   return s.p_W / body.mass + rotate(s.q_WP, Vector3d(w_P.cross(end.point)));
+}
+
+/// [1/kg] At most how much a force at the end accelerates it, per newton: with r the point,
+///   1/m + Σ |r × eᵢ|²/Iᵢ.
+double mobility(const Spring::End& end, const std::vector<const Body*>& bodies) {
+  if (end.body == kWorld) return 0;
+  const Body& body = *bodies[end.body];
+  double sum = 1 / body.mass;
+  for (int i = 0; i < 3; ++i)
+    sum += end.point.cross(Vector3d::Unit(i)).squaredNorm() * body.inv_I(i);
+  return sum;
 }
 
 }  // namespace
@@ -72,6 +85,19 @@ double Spring::potentialEnergy(const Bodies& at) const {
 double Spring::externalPower(const Bodies& at) const {
   const Stretch s = stretch(at);
   return -constants_.damping * s.rate * s.rate;
+}
+
+// The sums of absolute values along the rows of M^(−1/2) K M^(−1/2), which bound its eigenvalues
+// (Gershgorin), M being the mass matrix and K the stiffness.
+void Spring::addStiffness(const std::vector<const Body*>& bodies,
+                          std::vector<Stiffness>& stiffness) const {
+  const std::array<double, 2> a{mobility(ends_[0], bodies), mobility(ends_[1], bodies)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (ends_[k].body == kWorld) continue;
+    const double row = a[k] + std::sqrt(a[0] * a[1]);
+    stiffness[ends_[k].body].frequency_squared += constants_.stiffness * row;
+    stiffness[ends_[k].body].decay += constants_.damping * row;
+  }
 }
 
 }  // namespace rigid_body_sim

@@ -1,19 +1,18 @@
-#include <rigid_body_sim/dynamics/catalogue.hpp>
-#include <rigid_body_sim/dynamics/free_motion.hpp>
+#include "kick_drift.hpp"
 
 namespace rigid_body_sim {
 
 // The update of the source lecture, in its order (Rotenberg, "Rigid Body Motion",
 // RigidBody::Update):
 //   p += f h,  x += p/m h,  L += τ h,  ω = I⁻¹ L with I = A I₀ Aᵀ,  A turned by |ω| h about ω
+// Drag, which the lecture does not have, slows p and L down by its exact flow.
 void semiImplicitEulerStep(const System& system, double h, std::vector<BodyState>& states,
                            Workspace& workspace) {
-  evaluateWrenchesAndDrag(system, states, workspace);
+  evaluateWrenches(system, states, workspace);
+  methods::kickAll(system, h, workspace.wrenches, states);
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Body& body = *system.bodies[i];
-    const Wrench& w = workspace.wrenches[i];
     BodyState& s = states[i];
-    kick(w.f_W, w.tau_W, w.tau_P, h, s);
     driftPosition(body.mass, h, s);
     const Vector3d w_P = angularVelocity(body.inv_I, rotateBack(s.q_WP, s.L_W));
     const Vector3d w_W = rotate(s.q_WP, w_P);

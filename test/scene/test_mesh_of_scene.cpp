@@ -1,0 +1,194 @@
+#include <cstring>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/mass/checked_mesh.hpp>
+#include <rigid_body_sim/scene/check_scene.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+#include <rigid_body_sim/scene/read_mesh.hpp>
+
+#include "support/mass_difference.hpp"
+#include "support/mesh_edits.hpp"
+#include "support/mesh_texts.hpp"
+#include "support/temporary_directory.hpp"
+#include "support/triangulations.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+/// A brick off the origin with corners that single precision holds exactly.
+TriangleMesh brick() { return translated({2, 0.5, -1}, triangulated(Box{{1, 2, 0.5}}, 0)); }
+
+MassProperties brickOf(double mass, double scale) {
+  return {mass, scale * Vector3d(2, 0.5, -1),
+          massProperties(Box{scale * Vector3d(1, 2, 0.5)}, mass).I_Bcm};
+}
+
+/// A directory of mesh files with a scene beside it.
+class MeshOfScene : public ::testing::Test {
+ protected:
+  /// The scene of one body with the given entry on lines 4 and 5, in the directory "scenes".
+  std::string scene(const std::string& mesh, const std::string& matter = "mass: 3") const {
+    return files_.written("scenes/s.yaml",
+                          "time_step: 0.01\nbodies:\n  - name: a\n    shape: {mesh: " + mesh +
+                              "}\n    " + matter + "\n");
+  }
+
+  MassProperties massOf(const std::string& mesh, const std::string& matter = "mass: 3") const {
+    return massProperties(loadScene(scene(mesh, matter), finder()).bodies[0]);
+  }
+
+  /// What loading says, without the scene file's own path before the line.
+  std::string error(const std::string& mesh) const {
+    const std::string path = scene(mesh);
+    try {
+      loadScene(path, finder());
+    } catch (const SceneError& e) {
+      const std::string line = e.what();
+      EXPECT_THAT(line, StartsWith(path + ":"));
+      EXPECT_THAT(line, Not(HasSubstr("\n")));
+      return line.substr(path.size());
+    }
+    return "loaded";
+  }
+
+  PackageFinder finder() const {
+    return [this](const std::string& package) {
+      return package == "bricks" ? files_.path("somewhere") : "";
+    };
+  }
+
+  TemporaryDirectory files_;
+};
+
+const std::string kAt = ":4: body 'a': shape.mesh";
+
+}  // namespace
+
+TEST_F(MeshOfScene, HasTheMassAndPlaceOfItsSolid) {
+  files_.written("scenes/brick.stl", binaryStl(brick()));
+  // the integrals of twelve triangles, a few ulp
+  EXPECT_TRUE(sameMass(massOf("{file: brick.stl}"), brickOf(3, 1), 1e-15));
+  EXPECT_TRUE(sameMass(massOf("{file: brick.stl}", "density: 3"), brickOf(3, 1), 1e-15));
+  EXPECT_TRUE(
+      sameMass(massOf("{file: brick.stl, scale: 0.5}", "density: 8"), brickOf(1, 0.5), 1e-15));
+}
+
+TEST_F(MeshOfScene, IsWhatTheMassLayerSays) {
+  const std::string file =
+      files_.written("scenes/cone.stl", asciiStl(triangulated(Cone{1, 2}, 24)));
+  const TriangleMesh mesh = checkedMesh(readMesh(file, 0.1)).mesh;
+  EXPECT_TRUE(sameMass(massOf("{file: cone.stl, scale: 0.1}", "density: 7"),
+                       massProperties(mesh, 7 * volume(mesh)), 1e-15));
+}
+
+TEST_F(MeshOfScene, IsFoundBesideTheSceneByAbsolutePathAndInAPackage) {
+  files_.written("meshes/brick.obj", obj(brick()));
+  files_.written("somewhere/meshes/brick.obj", obj(scaled(2, brick())));
+  EXPECT_TRUE(sameMass(massOf("{file: ../meshes/brick.obj}"), brickOf(3, 1), 1e-15));
+  EXPECT_TRUE(
+      sameMass(massOf("{file: " + files_.path("meshes/brick.obj") + "}"), brickOf(3, 1), 1e-15));
+  EXPECT_TRUE(
+      sameMass(massOf("{file: 'package://bricks/meshes/brick.obj'}"), brickOf(3, 2), 1e-15));
+}
+
+TEST_F(MeshOfScene, IsLookedForFromTheWorkingDirectoryInASceneOfText) {
+  const std::string text =
+      "time_step: 1\nbodies: [{name: a, mass: 1, shape: {mesh: {file: no/such.stl}}}]\n";
+  const std::string expected = "s:2: body 'a': shape.mesh.file: " +
+                               (std::filesystem::current_path() / "no/such.stl").string() +
+                               ": mesh file does not exist";
+  try {
+    parseScene(text, "s");
+    FAIL();
+  } catch (const SceneError& e) {
+    EXPECT_EQ(e.what(), expected);
+  }
+}
+
+TEST_F(MeshOfScene, SaysWhatIsWrongWithAReference) {
+  const std::string rule = " must be package://<package>/<path> or a path, got ";
+  for (const std::string reference : {"package://", "package://bricks", "package://bricks/",
+                                      "package:///brick.stl", "http://bricks/brick.stl"})
+    EXPECT_EQ(error("{file: '" + reference + "'}"), kAt + ".file" + rule + "\"" + reference + "\"");
+  EXPECT_EQ(error("{file: 'package://unknown/brick.stl'}"),
+            kAt +
+                ".file must name a ROS package that is on ROS_PACKAGE_PATH, got "
+                "\"package://unknown/brick.stl\"");
+  try {
+    loadScene(scene("{file: 'package://bricks/brick.stl'}"));
+    FAIL();
+  } catch (const SceneError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("shape.mesh.file must be a path: this program cannot look up "
+                                    "ROS packages, got \"package://bricks/brick.stl\""));
+  }
+}
+
+TEST_F(MeshOfScene, KeepsTheRulesOfItsKeys) {
+  files_.written("scenes/brick.stl", binaryStl(brick()));
+  EXPECT_EQ(error("{scale: 1}"), ":4: body 'a': missing key 'shape.mesh.file'");
+  EXPECT_EQ(error("{file: [1]}"), kAt + ".file must be a text, got [1]");
+  EXPECT_EQ(error("{file: brick.stl, scale: 0}"), kAt + ".scale must be > 0, got 0");
+  EXPECT_EQ(error("{file: brick.stl, scale: -1}"), kAt + ".scale must be > 0, got -1");
+  EXPECT_EQ(error("{file: brick.stl, unit: mm}"),
+            ":4: body 'a': unknown key 'shape.mesh.unit' (known: file, scale)");
+  EXPECT_EQ(error("brick.stl"), kAt + " must be a mapping, got brick.stl");
+}
+
+TEST_F(MeshOfScene, SaysWhatIsWrongWithAFile) {
+  const auto fileError = [this](const std::string& name, const std::string& content) {
+    const std::string path = files_.written("scenes/" + name, content);
+    const std::string line = error("{file: " + name + "}");
+    const std::string start = kAt + ".file: " + path + ": ";
+    EXPECT_THAT(line, StartsWith(start));
+    return line.substr(std::min(start.size(), line.size()));
+  };
+  const std::string whole = binaryStl(brick());
+  std::string claim = whole;
+  const std::uint32_t claimed = 43000000;  // 2 GB
+  std::memcpy(&claim[80], &claimed, 4);
+  std::string with_nan = asciiStl(brick());
+  with_nan.replace(with_nan.find("1.5"), 3, "nan");
+  TriangleMesh open = brick();
+  open.triangles.pop_back();
+
+  EXPECT_EQ(fileError("cut.stl", whole.substr(0, 447)),
+            "binary STL is truncated: its header claims 12 triangles, 684 bytes, got 447 bytes");
+  EXPECT_EQ(fileError("claim.stl", claim),
+            "binary STL is truncated: its header claims 43000000 triangles, 2150000084 bytes, got "
+            "684 bytes");
+  EXPECT_THAT(fileError("nan.stl", with_nan), StartsWith("mesh "));
+  EXPECT_THAT(fileError("none.stl", binaryStl({})), StartsWith("mesh "));
+  EXPECT_THAT(fileError("open.stl", binaryStl(open)), StartsWith("mesh must be closed"));
+  EXPECT_EQ(fileError("brick.txt", whole), "mesh file must end in .stl, .obj or .dae, got '.txt'");
+
+  std::filesystem::create_directory(files_.path("scenes/directory.stl"));
+  EXPECT_EQ(error("{file: directory.stl}"), kAt + ".file: " + files_.path("scenes/directory.stl") +
+                                                ": mesh file must be a regular file");
+}
+
+TEST_F(MeshOfScene, TellsThatItWasTurnedAround) {
+  const std::string path = files_.written("scenes/inward.stl", binaryStl(insideOut(brick())));
+  const Scene turned = loadScene(scene("{file: inward.stl}"));
+  ASSERT_EQ(turned.notices.size(), 1U);
+  EXPECT_EQ(turned.notices[0], files_.path("scenes/s.yaml") + kAt + ".file: " + path +
+                                   ": mesh is oriented inwards (volume -1 m^3): its 12 triangles "
+                                   "are turned around");
+  EXPECT_TRUE(sameMass(massProperties(turned.bodies[0]), brickOf(3, 1), 1e-15));
+}
+
+TEST_F(MeshOfScene, IsReadOnceForAllItsBodies) {
+  files_.written("scenes/inward.stl", binaryStl(insideOut(brick())));
+  const std::string entry = ", mass: 1, shape: {mesh: {file: inward.stl}}}";
+  const Scene scene = loadScene(files_.written(
+      "scenes/two.yaml", "time_step: 1\nbodies: [{name: a" + entry + ", {name: b" + entry + "]\n"));
+  EXPECT_EQ(scene.notices.size(), 1U);
+  EXPECT_EQ(scene.bodies[0].mesh->volume, scene.bodies[1].mesh->volume);
+}
+
+}  // namespace rigid_body_sim
