@@ -21,6 +21,8 @@ void ProgressBar::show(double done) {
   const auto filled = static_cast<std::size_t>(percent / 2);
   const std::string bar = std::string(filled, '#') + std::string(50 - filled, ' ');
   std::fprintf(stderr, "\r[%s] %3d %%", bar.c_str(), percent);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+  if (done > 0) std::fprintf(stderr, ", %.0f s left\033[K", elapsed.count() * (1 - done) / done);
 }
 
 }  // namespace rigid_body_sim

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <chrono>
+
 namespace rigid_body_sim {
 
-/// A bar on standard error while it is a terminal; otherwise nothing.
+/// A bar on standard error while it is a terminal, with the time left; otherwise nothing.
 class ProgressBar {
  public:
   ProgressBar();
@@ -16,6 +18,7 @@ class ProgressBar {
 
  private:
   bool on_terminal_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   int percent_ = -1;
 };
 

@@ -10,6 +10,7 @@
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "simulate_options.hpp"
+#include "state_at.hpp"
 #include "tool_scene.hpp"
 #include "usage.hpp"
 
@@ -22,15 +23,6 @@ Scene sceneOf(const SimulateOptions& options) {
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
   scene.integrator = options.integrator.value_or(scene.integrator);
   return scene;
-}
-
-/// The state at time t, to which the simulation is stepped as far as whole steps go.
-State stateAt(Simulation& simulation, double t) {
-  // an instant that a step misses by rounding is that step's
-  const double h = simulation.world().solver.time_step;
-  const auto whole_steps = static_cast<std::int64_t>(std::floor(t / h + 1e-6));
-  while (simulation.steps() < whole_steps) simulation.step();
-  return t - simulation.time() < 1e-6 * h ? simulation.state() : simulation.sample(t);
 }
 
 /// Runs to the end, a row at every sample and at the end. Returns the last state.

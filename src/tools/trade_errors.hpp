@@ -1,0 +1,26 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/world.hpp>
+
+namespace rigid_body_sim {
+
+/// How far one computed motion is from another, each the worst of all bodies and instants.
+struct Errors {
+  double attitude = 0;          ///< [rad]
+  double position = 0;          ///< relative to the path flown so far
+  double energy = 0;            ///< of all bodies, relative to the greatest kinetic energy
+  double angular_momentum = 0;  ///< of a body about its centre of mass, relative to its greatest
+
+  /// What a tolerance bounds (SolverOptions::tolerance).
+  double bounded() const { return std::max(attitude, position); }
+};
+
+/// The errors of a track against the truth: states at the same instants, the first of both the
+/// initial state. A quantity whose scale is zero counts as it is.
+Errors errorsOf(const World& world, const std::vector<State>& track,
+                const std::vector<State>& truth);
+
+}  // namespace rigid_body_sim

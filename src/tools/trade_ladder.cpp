@@ -1,0 +1,71 @@
+#include "trade_ladder.hpp"
+
+#include <optional>
+#include <stdexcept>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+namespace rigid_body_sim {
+namespace {
+
+std::optional<Setting> tryMeasuring(const World& world, const Reference& reference,
+                                    const std::string& integrator, double time_step) {
+  try {
+    return measureSetting(world, reference, integrator, time_step);
+  } catch (const SimulationDiverged&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> integratorsFor(const World& world, const State& initial) {
+  std::vector<std::string> names;
+  for (const Method& row : catalogue()) {
+    World copy = world;
+    copy.solver.integrator = row.name;
+    try {
+      Simulation(std::move(copy), initial);
+      names.emplace_back(row.name);
+    } catch (const std::invalid_argument&) {
+      continue;  // it refuses the scene
+    }
+  }
+  names.emplace_back("auto");
+  return names;
+}
+
+void climbLadder(const World& world, const Reference& reference, const std::string& integrator,
+                 const std::function<void(const Setting&)>& measured) {
+  constexpr int kMostHalvings = 24, kMostDoublings = 10;
+  constexpr double kFewestSteps = 8;    // that the duration is to be taken in
+  constexpr double kLost = 1;           // [rad, relative] beyond it, the error says no more
+  constexpr double kLongestRun = 0.15;  // [s] of one run, with shorter steps than the scene's
+  const double h = world.solver.time_step;
+  std::optional<Setting> setting = tryMeasuring(world, reference, integrator, h);
+  if (setting) measured(*setting);
+  const bool lost = !setting || setting->errors.bounded() > kLost || setting->parted;
+
+  double step = h / 2;
+  double last_error = setting ? setting->errors.bounded() : 1;
+  for (int k = 0; k < kMostHalvings; ++k, step /= 2) {
+    if (setting && 2e-9 * setting->cpu_ns_per_sim_s * reference.duration > kLongestRun) break;
+    setting = tryMeasuring(world, reference, integrator, step);
+    if (!setting) continue;
+    measured(*setting);
+    const double error = setting->errors.bounded();
+    if (error < 1e-2 && error > last_error / 1.5) break;  // rounding has the better of the step
+    last_error = error;
+  }
+
+  step = 2 * h;
+  for (int k = 0; !lost && k < kMostDoublings; ++k, step *= 2) {
+    if (step > reference.duration / kFewestSteps) break;
+    setting = tryMeasuring(world, reference, integrator, step);
+    if (!setting) break;
+    measured(*setting);
+    if (setting->errors.bounded() > kLost || setting->parted) break;
+  }
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,115 @@
+#include "benchmark/peers_odeint.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <boost/numeric/odeint.hpp>
+
+#include "tools/cpu_time.hpp"
+
+// What a user of odeint would write in an afternoon: position, velocity, quaternion, angular
+// velocity in body axes, and a plain right-hand side.
+
+namespace rigid_body_sim::peers {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using State = std::array<double, 13>;  // x, v, q (x y z w), ω
+
+struct RightHandSide {
+  const Problem& p;
+
+  void operator()(const State& s, State& d, double) const {
+    const double x = s[6], y = s[7], z = s[8], w = s[9];
+    const double a = s[10], b = s[11], c = s[12];
+    const auto& F = p.force_W;
+    // the force in body axes: Rᵀ F
+    const double fx =
+        (1 - 2 * (y * y + z * z)) * F[0] + 2 * (x * y + w * z) * F[1] + 2 * (x * z - w * y) * F[2];
+    const double fy =
+        2 * (x * y - w * z) * F[0] + (1 - 2 * (x * x + z * z)) * F[1] + 2 * (y * z + w * x) * F[2];
+    const double fz =
+        2 * (x * z + w * y) * F[0] + 2 * (y * z - w * x) * F[1] + (1 - 2 * (x * x + y * y)) * F[2];
+    for (std::size_t i = 0; i < 3; ++i) {
+      d[i] = s[3 + i];
+      d[3 + i] = p.g_W[i] + F[i] / p.mass;
+    }
+    d[6] = 0.5 * (w * a + y * c - z * b);
+    d[7] = 0.5 * (w * b + z * a - x * c);
+    d[8] = 0.5 * (w * c + x * b - y * a);
+    d[9] = -0.5 * (x * a + y * b + z * c);
+    d[10] = (p.arm_P[1] * fz - p.arm_P[2] * fy - (p.I[2] - p.I[1]) * b * c) / p.I[0];
+    d[11] = (p.arm_P[2] * fx - p.arm_P[0] * fz - (p.I[0] - p.I[2]) * c * a) / p.I[1];
+    d[12] = (p.arm_P[0] * fy - p.arm_P[1] * fx - (p.I[1] - p.I[0]) * a * b) / p.I[2];
+  }
+};
+
+template <class Integrate>
+Run timed(const Problem& problem, const std::string& setting, const Integrate& integrate) {
+  constexpr double kBudget = 0.03;  // [s]
+  State start{};
+  start[9] = 1;
+  std::copy(problem.w.begin(), problem.w.end(), start.begin() + 10);
+  Run run;
+  run.setting = setting;
+  run.seconds = leastCpuTime(
+      start,
+      [&](State& s) {
+        integrate(s);
+        const double norm = std::sqrt(s[6] * s[6] + s[7] * s[7] + s[8] * s[8] + s[9] * s[9]);
+        run.q = {s[6] / norm, s[7] / norm, s[8] / norm, s[9] / norm};
+      },
+      kBudget);
+  return run;
+}
+
+std::string label(const char* method, const char* what, double value) {
+  std::ostringstream text;
+  text << method << ' ' << what << ' ' << value;
+  return text.str();
+}
+
+template <class Stepper>
+void addFixed(const char* name, const Problem& problem, std::vector<Run>& runs) {
+  constexpr double kLongest = 0.02;  // [s] beyond it nothing competes
+  const RightHandSide rhs{problem};
+  for (double steps = 32; steps < 1e6; steps = std::round(1.2 * steps)) {
+    const double h = problem.duration / steps;
+    runs.push_back(timed(problem, label(name, "h", h), [&](State& s) {
+      odeint::integrate_n_steps(Stepper(), rhs, s, 0.0, h, static_cast<std::size_t>(steps));
+    }));
+    if (runs.back().seconds > kLongest) break;
+  }
+}
+
+template <class MakeStepper>
+void addControlled(const char* name, const Problem& problem, const MakeStepper& make,
+                   std::vector<Run>& runs) {
+  const RightHandSide rhs{problem};
+  for (double tolerance = 1e-2; tolerance > 1e-15; tolerance /= 2)
+    runs.push_back(timed(problem, label(name, "tolerance", tolerance), [&](State& s) {
+      odeint::integrate_adaptive(make(tolerance), rhs, s, 0.0, problem.duration, 0.05);
+    }));
+}
+
+}  // namespace
+
+std::vector<Run> odeintRuns(const Problem& problem) {
+  using Rk4 = odeint::runge_kutta4<State>;
+  using Dopri5 = odeint::runge_kutta_dopri5<State>;
+  using Rkf78 = odeint::runge_kutta_fehlberg78<State>;
+  std::vector<Run> runs;
+  addFixed<Rk4>("rk4", problem, runs);
+  addFixed<Dopri5>("dopri5", problem, runs);
+  addFixed<Rkf78>("rkf78", problem, runs);
+  addControlled(
+      "dopri5", problem, [](double e) { return odeint::make_controlled<Dopri5>(e, e); }, runs);
+  addControlled(
+      "rkf78", problem, [](double e) { return odeint::make_controlled<Rkf78>(e, e); }, runs);
+  addControlled(
+      "bulirsch_stoer", problem, [](double e) { return odeint::bulirsch_stoer<State>(e, e); },
+      runs);
+  return runs;
+}
+
+}  // namespace rigid_body_sim::peers
