@@ -72,7 +72,7 @@ unsigned needsOf(const World& world, const CoupledBodies& group,
 
 void requireTaken(const World& world) {
   std::vector<WrenchSchedule> schedules(world.bodies.size());
-  for (const AppliedWrench& wrench : world.wrenches) schedules[wrench.body].put("", wrench, 0);
+  for (const PointWrench& wrench : world.wrenches) schedules[wrench.body].put("", wrench, 0);
   const Method& method = methodNamed(world.solver.integrator);
   for (const CoupledBodies& group : coupledBodies(world, schedules))
     requireTaken(method, needsOf(world, group, schedules),

@@ -60,7 +60,7 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
   system_.held.assign(members_.size(), HeldWrench());
   system_.coupled.clear();
   for (std::size_t body : members_) {
-    for (AppliedWrench wrench : schedules[body].active()) {
+    for (PointWrench wrench : schedules[body].active()) {
       wrench.body = localIndex(wrench.body);
       wrench.axes = localIndex(wrench.axes);
       wrench.point_frame = localIndex(wrench.point_frame);

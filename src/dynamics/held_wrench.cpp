@@ -14,14 +14,14 @@ std::vector<HeldWrench::Lever> mergedLevers(const std::vector<HeldWrench::Lever>
 
 }  // namespace
 
-bool HeldWrench::holds(const AppliedWrench& applied) {
+bool HeldWrench::holds(const PointWrench& applied) {
   const bool own_axes = applied.axes == applied.body;
   const bool own_point = applied.point_frame == applied.body;
   if (own_axes) return own_point;
   return applied.axes == kWorld && (own_point || applied.point_frame == kWorld);
 }
 
-void HeldWrench::add(const AppliedWrench& applied) {
+void HeldWrench::add(const PointWrench& applied) {
   if (applied.axes == applied.body) {
     f_P += applied.force;
     tau_P += applied.point.cross(applied.force) + applied.torque;

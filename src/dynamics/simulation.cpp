@@ -50,7 +50,7 @@ void Simulation::reset(bool restart_time) {
   state_.t = static_cast<double>(steps_) * world_->solver.time_step;
   schedules_.assign(world_->bodies.size(), WrenchSchedule());
   if (restart_time)
-    for (const AppliedWrench& wrench : world_->wrenches)
+    for (const PointWrench& wrench : world_->wrenches)
       schedules_[wrench.body].put("", wrench, state_.t);
   formGroups(kTrialAtStart);
   coarse_.reset();
@@ -109,7 +109,7 @@ MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_s
              chooseMethod(*world_, bodies, state_, schedules_, most_trial_steps);
 }
 
-void Simulation::applyWrench(const std::string& slot, const AppliedWrench& wrench) {
+void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench) {
   if (method_ && !HeldWrench::holds(wrench))
     requireTaken(*method_, kCoupling, world_->bodies[wrench.body].name);
   schedules_[wrench.body].put(slot, wrench, state_.t);
@@ -204,8 +204,8 @@ std::size_t Simulation::wrenchCount() const {
 
 Wrench Simulation::appliedWrench(std::size_t body) const {
   Wrench wrench;
-  for (const AppliedWrench& applied : schedules_[body].active())
-    addAppliedWrench(applied, state_.bodies, wrench);
+  for (const PointWrench& applied : schedules_[body].active())
+    addPointWrench(applied, state_.bodies, wrench);
   return wrench;
 }
 

@@ -11,8 +11,8 @@ void evaluateWrenches(const System& system, const std::vector<BodyState>& states
     wrenches[i] = system.held[i].at(states[i]);
     wrenches[i].f_W += system.bodies[i]->mass * system.g_W;
   }
-  for (const AppliedWrench& applied : system.coupled)
-    addAppliedWrench(applied, states, wrenches[applied.body]);
+  for (const PointWrench& applied : system.coupled)
+    addPointWrench(applied, states, wrenches[applied.body]);
   for (const auto& law : system.laws) law->addWrenches({system.bodies, states}, wrenches);
   ++workspace.evaluations;
 }

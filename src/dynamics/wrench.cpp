@@ -7,13 +7,13 @@ void applyForce(Wrench& wrench, const BodyState& state, const Vector3d& f_W, con
   wrench.tau_W += ((r_W - state.x_W) - state.x_low_W).cross(f_W);
 }
 
-bool isCoupled(const AppliedWrench& applied) {
+bool isCoupled(const PointWrench& applied) {
   const auto foreign = [&](std::size_t frame) { return frame != kWorld && frame != applied.body; };
   return foreign(applied.axes) || foreign(applied.point_frame);
 }
 
-void addAppliedWrench(const AppliedWrench& applied, const std::vector<BodyState>& bodies,
-                      Wrench& wrench) {
+void addPointWrench(const PointWrench& applied, const std::vector<BodyState>& bodies,
+                    Wrench& wrench) {
   const auto turnToWorld = [&](const Vector3d& v) {
     return applied.axes == kWorld ? v : rotate(bodies[applied.axes].q_WP, v);
   };

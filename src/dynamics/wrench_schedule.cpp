@@ -4,7 +4,7 @@
 
 namespace rigid_body_sim {
 
-void WrenchSchedule::put(const std::string& slot, AppliedWrench wrench, double now) {
+void WrenchSchedule::put(const std::string& slot, PointWrench wrench, double now) {
   if (wrench.start < now) {
     wrench.end += now - wrench.start;
     wrench.start = now;
@@ -71,11 +71,11 @@ bool WrenchSchedule::allHeld() const {
 
 std::vector<std::size_t> WrenchSchedule::bodies() const {
   std::vector<std::size_t> bodies;
-  const auto add = [&bodies](const AppliedWrench& wrench) {
+  const auto add = [&bodies](const PointWrench& wrench) {
     for (std::size_t body : {wrench.body, wrench.axes, wrench.point_frame})
       if (body != kWorld) bodies.push_back(body);
   };
-  for (const AppliedWrench& wrench : active_) add(wrench);
+  for (const PointWrench& wrench : active_) add(wrench);
   for (const auto& [start, pending] : pending_) add(pending.wrench);
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
@@ -84,7 +84,7 @@ std::vector<std::size_t> WrenchSchedule::bodies() const {
 
 void WrenchSchedule::findNextEvent() {
   next_event_ = std::numeric_limits<double>::infinity();
-  for (const AppliedWrench& wrench : active_) next_event_ = std::min(next_event_, wrench.end);
+  for (const PointWrench& wrench : active_) next_event_ = std::min(next_event_, wrench.end);
   if (!pending_.empty()) next_event_ = std::min(next_event_, pending_.begin()->first);
 }
 

@@ -20,16 +20,16 @@ ros::Subscriber subscribe(ros::NodeHandle& nh, const std::string& topic,
 WrenchDoors::WrenchDoors(ros::NodeHandle nh, ros::NodeHandle private_nh,
                          const std::vector<std::string>& bodies, const TimeOrigin& origin,
                          const Sink& sink) {
-  using General = AppliedWrench_<std::allocator<void>>;
   using Everyday = geometry_msgs::WrenchStamped;
   for (const std::string& body : bodies) {
     subscribers_.push_back(subscribe<Everyday>(
         nh, body + "/wrench",
         [body, sink](const Everyday::ConstPtr& message) { sink(toRequest(body, *message)); }));
   }
-  subscribers_.push_back(subscribe<General>(
-      private_nh, "wrench",
-      [origin, sink](const General::ConstPtr& message) { sink(toRequest(*message, origin)); }));
+  subscribers_.push_back(subscribe<AppliedWrench>(
+      private_nh, "wrench", [origin, sink](const AppliedWrench::ConstPtr& message) {
+        sink(toRequest(*message, origin));
+      }));
 }
 
 }  // namespace rigid_body_sim

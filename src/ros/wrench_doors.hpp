@@ -13,7 +13,6 @@ namespace rigid_body_sim {
 
 /// The subscriptions that let wrenches in: <body>/wrench of every body given, and ~wrench. Each
 /// message goes to the sink, in order of arrival, from whoever serves the queue of the handles.
-/// The messages' own header stays in the source file: its AppliedWrench is not the core's.
 class WrenchDoors {
  public:
   using Sink = std::function<void(const WrenchRequest&)>;

@@ -21,8 +21,7 @@ WrenchRequest toRequest(const std::string& body, const geometry_msgs::WrenchStam
   return request;
 }
 
-WrenchRequest toRequest(const AppliedWrench_<std::allocator<void>>& message,
-                        const TimeOrigin& origin) {
+WrenchRequest toRequest(const AppliedWrench& message, const TimeOrigin& origin) {
   WrenchRequest request;
   if (!message.id.empty()) request.slot = "id " + message.id;
   request.wrench.body = message.body;

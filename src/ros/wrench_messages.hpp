@@ -15,7 +15,6 @@ namespace rigid_body_sim {
 WrenchRequest toRequest(const std::string& body, const geometry_msgs::WrenchStamped& message);
 
 /// The request of a message on `wrench`: one slot for each id; start as ROS time, zero: next step.
-WrenchRequest toRequest(const AppliedWrench_<std::allocator<void>>& message,
-                        const TimeOrigin& origin);
+WrenchRequest toRequest(const AppliedWrench& message, const TimeOrigin& origin);
 
 }  // namespace rigid_body_sim

@@ -18,9 +18,9 @@ Body bodyOf(const BodyDef& def) {
   return body;
 }
 
-std::vector<AppliedWrench> wrenchesOf(const Scene& scene, const std::vector<Body>& bodies) {
+std::vector<PointWrench> wrenchesOf(const Scene& scene, const std::vector<Body>& bodies) {
   const FrameTable frames(scene, bodies);
-  std::vector<AppliedWrench> wrenches;
+  std::vector<PointWrench> wrenches;
   for (std::size_t i = 0; i < scene.wrenches.size(); ++i) {
     const ResolvedWrench resolved = resolveWrench(scene.wrenches[i], bodies, frames);
     if (!resolved.fault.empty())

@@ -69,7 +69,7 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
 
   const FixedFrame& axes = *frames.find(wrench.frame);
   const FixedFrame& place = *frames.find(point_frame);
-  AppliedWrench& applied = resolved.wrench;
+  PointWrench& applied = resolved.wrench;
   applied.body = frames.find(wrench.body)->body;
   applied.axes = axes.body;
   applied.force = axes.X_PF.linear() * wrench.force;
@@ -81,9 +81,9 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
   return resolved;
 }
 
-AppliedWrench wrenchAtFrame(std::size_t body, const Isometry3d& X_PF, const Vector3d& force_F,
-                            const Vector3d& torque_F) {
-  AppliedWrench applied;
+PointWrench wrenchAtFrame(std::size_t body, const Isometry3d& X_PF, const Vector3d& force_F,
+                          const Vector3d& torque_F) {
+  PointWrench applied;
   applied.body = applied.axes = applied.point_frame = body;
   applied.force = X_PF.linear() * force_F;
   applied.torque = X_PF.linear() * torque_F;

@@ -28,10 +28,9 @@ bool isPushed(const World& world, std::size_t body, double t_end) {
   };
   return world.bodies[body].drag.any() ||
          std::any_of(world.laws.begin(), world.laws.end(), acts_on_it) ||
-         std::any_of(world.wrenches.begin(), world.wrenches.end(),
-                     [=](const AppliedWrench& wrench) {
-                       return wrench.body == body && wrench.start < t_end;
-                     });
+         std::any_of(world.wrenches.begin(), world.wrenches.end(), [=](const PointWrench& wrench) {
+           return wrench.body == body && wrench.start < t_end;
+         });
 }
 
 /// What a body has at one instant.

@@ -36,7 +36,7 @@ BodyState rounded(const Fine& f) {
 
 HeldWrench heldNow(const WrenchSchedule& schedule) {
   HeldWrench held;
-  for (const AppliedWrench& wrench : schedule.active()) held.add(wrench);
+  for (const PointWrench& wrench : schedule.active()) held.add(wrench);
   return held;
 }
 
@@ -72,7 +72,7 @@ std::vector<State> seriesTrack(const World& world, const State& initial, double 
                                int instants) {
   return trackOf(world, initial, duration, instants, [&](std::size_t i, std::vector<State>& track) {
     WrenchSchedule schedule;
-    for (const AppliedWrench& wrench : world.wrenches)
+    for (const PointWrench& wrench : world.wrenches)
       if (wrench.body == i) schedule.put("", wrench, 0);
     Fine state = fine(initial.bodies[i]);
     for (std::size_t k = 1; k < track.size(); ++k) {

@@ -32,8 +32,8 @@ BodyState startOf(const Problem& p, const Body& body) {
   return toBodyState(body, motion);
 }
 
-AppliedWrench pushOf(const Problem& p, const Body& body) {
-  AppliedWrench push;
+PointWrench pushOf(const Problem& p, const Body& body) {
+  PointWrench push;
   push.force = vector(p.force_W);
   push.point = body.X_BP.inverse() * vector(p.arm_P);
   return push;
@@ -43,7 +43,7 @@ World worldOf(const Problem& p, const std::string& integrator, double time_step)
   World world;
   world.bodies = {bodyOf(p)};
   world.g_W = vector(p.g_W);
-  const AppliedWrench push = pushOf(p, world.bodies[0]);
+  const PointWrench push = pushOf(p, world.bodies[0]);
   if (!push.force.isZero(0)) world.wrenches = {push};
   world.solver.integrator = integrator;
   world.solver.time_step = time_step;
@@ -96,7 +96,7 @@ Run ourRun(const Problem& p, const std::string& integrator, int steps) {
 
 std::vector<Run> ourRuns(const Problem& p, const std::string& integrator) {
   constexpr double kLongest = 0.02;  // [s] as for odeint
-  constexpr int kCoarse = 1000;      // steps so long are divided, and may cost more than shorter ones
+  constexpr int kCoarse = 1000;  // steps so long are divided, and may cost more than shorter ones
   std::vector<Run> runs;
   for (int steps = 1; steps < 1000000; steps = steps + 1 + steps / 5) {
     try {

@@ -21,7 +21,7 @@ struct Run {
 };
 
 Run leverRun(const Body& body) {
-  AppliedWrench push;
+  PointWrench push;
   push.force = {1, 2, 12};
   push.point = {0.3, -0.1, 0.05};
   Run run;

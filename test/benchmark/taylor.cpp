@@ -26,7 +26,7 @@ BodyState turning(const Body& body) {
 }
 
 HeldWrench kindOfWrench(const std::string& kind) {
-  AppliedWrench applied;
+  PointWrench applied;
   applied.force = Vector3d(1, 2, 12);
   applied.point = Vector3d(0.3, -0.1, 0.05);
   HeldWrench wrench;
@@ -60,7 +60,7 @@ void changeWrench(benchmark::State& run, bool body_axes) {
   const Body body = boxBody();
   std::vector<HeldWrench> wrenches(1000);
   for (HeldWrench& wrench : wrenches) {
-    AppliedWrench applied;
+    PointWrench applied;
     applied.axes = body_axes ? 0 : kWorld;
     applied.force = draw.vector(10);
     applied.point = draw.vector(0.3);

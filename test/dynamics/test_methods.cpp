@@ -72,7 +72,7 @@ std::vector<Case> allCases() {
 unsigned needsOf(const Case& c) {
   const World& world = c.bench.world;
   std::vector<WrenchSchedule> schedules(world.bodies.size());
-  for (const AppliedWrench& wrench : world.wrenches) schedules[wrench.body].put("", wrench, 0);
+  for (const PointWrench& wrench : world.wrenches) schedules[wrench.body].put("", wrench, 0);
   unsigned needs = 0;
   for (const CoupledBodies& group : rigid_body_sim::coupledBodies(world, schedules))
     needs |= rigid_body_sim::needsOf(world, group, schedules);
@@ -218,7 +218,7 @@ TEST(Taylor, RefusesAWrenchThatTurnsWithAnotherBody) {
     EXPECT_NE(std::string(refused.what()).find("'box'"), std::string::npos) << refused.what();
   }
   Simulation sim = freeBody().simulation("taylor", 0.01);
-  AppliedWrench push;
+  PointWrench push;
   push.axes = 0;
   push.point_frame = kWorld;
   EXPECT_THROW(sim.applyWrench("", push), std::invalid_argument);
@@ -249,7 +249,7 @@ TEST_P(EveryMethod, IsReversibleIfAndOnlyIfItSaysSo) {
   const Method& method = GetParam();
   if (method.claimsTo(kSolves)) GTEST_SKIP() << "steps forwards only; the error is rounding";
   Bench bench = freeBody();
-  AppliedWrench push;
+  PointWrench push;
   push.point = {0.1, 0.2, 0.3};
   push.force = {1, 0, 0.5};
   System system;

@@ -15,8 +15,8 @@ Bench restingBox() {
   return bench;
 }
 
-AppliedWrench worldForce(const Vector3d& force, double start, double end) {
-  AppliedWrench push;
+PointWrench worldForce(const Vector3d& force, double start, double end) {
+  PointWrench push;
   push.force = force;
   push.start = start;
   push.end = end;
@@ -26,7 +26,7 @@ AppliedWrench worldForce(const Vector3d& force, double start, double end) {
 TEST(Simulation, GivesTheExactImpulseWhateverTheStep) {
   for (const char* integrator : {"semi_implicit_euler", "strang", "rk4"}) {
     Bench bench = restingBox();
-    AppliedWrench push = worldForce({1, 2, 12}, 0.0123, 0.0123 + 2.00491);
+    PointWrench push = worldForce({1, 2, 12}, 0.0123, 0.0123 + 2.00491);
     push.point = {0.3, -0.1, 0.05};
     bench.world.wrenches.push_back(push);
     const State end = bench.run(integrator, 3, 300);
@@ -69,7 +69,7 @@ TEST(Simulation, StopsAtTheLastFiniteStateAndNamesTheBody) {
   Simulation sim = bench.simulation("strang", 1.0);
   sim.step();
   sim.applyWrench("", worldForce({1e300, 0, 0}, 0, 1e300));
-  AppliedWrench twist;
+  PointWrench twist;
   twist.torque = {0, 1e308, 1e308};
   sim.applyWrench("", twist);
   try {
@@ -113,7 +113,7 @@ TEST(Simulation, AdvancesIndependentBodiesApart) {
   const Bench alone = test::pushedBox(kWorld, 0);
   Bench both = alone;
   both.add(test::principalBody("other", 1, {1, 2, 3}), test::tumbling({0, 0, 0}, {1, 2, 3}));
-  AppliedWrench on_other = worldForce({0, 1, 0}, 0.123, 0.345);
+  PointWrench on_other = worldForce({0, 1, 0}, 0.123, 0.345);
   on_other.body = on_other.point_frame = 1;
   both.world.wrenches.push_back(on_other);
   EXPECT_EQ(alone.run("strang", 1, 100).bodies[0].q_WP.coeffs(),
@@ -124,7 +124,7 @@ TEST(Simulation, HoldsAWrenchInTheAxesOfAnotherBody) {
   Bench bench = restingBox();
   bench.add(test::principalBody("turning", 1, {1, 1, 1}), test::tumbling({0, 0, 0}, {0, 0, 2}));
   Simulation sim = bench.simulation("rk4", 0.001);
-  AppliedWrench push;
+  PointWrench push;
   push.axes = 1;
   push.force = {3, 0, 0};
   sim.applyWrench("arm", push);
@@ -147,7 +147,7 @@ TEST(Simulation, FollowsAThousandWrenchChangesToRounding) {
               test::tumbling({0.5, 0, 1}, {1, -0.7, 0.4}));
     Draw draw(7);
     for (int k = 0; k < 1000; ++k) {
-      AppliedWrench push;
+      PointWrench push;
       push.axes = axes;
       push.force = draw.vector(1);
       push.torque = draw.vector(0.2);

@@ -36,19 +36,19 @@ BodyState turningAt(const Body& body, const Vector3d& w_P) {
   return state;
 }
 
-HeldWrench held(const std::vector<AppliedWrench>& applied) {
+HeldWrench held(const std::vector<PointWrench>& applied) {
   HeldWrench wrench;
-  for (const AppliedWrench& a : applied) wrench.add(a);
+  for (const PointWrench& a : applied) wrench.add(a);
   return wrench;
 }
 
 /// Five kinds of wrench: a couple and a force at a point of the body, both with world axes; the
 /// two with the body's; a force at a world point. alpha: the angular acceleration they are made to
 /// cause, about [rad/s²].
-AppliedWrench randomWrench(Draw& draw, int kind, const Body& body, double alpha) {
+PointWrench randomWrench(Draw& draw, int kind, const Body& body, double alpha) {
   const double torque = alpha * body.I.maxCoeff();
   const double length = std::sqrt(body.I.maxCoeff() / body.mass);
-  AppliedWrench a;
+  PointWrench a;
   if (kind == 0) a.torque = draw.vector(torque);
   if (kind == 1 || kind == 4) a.force = draw.vector(torque / length);
   if (kind == 1 || kind == 4) a.point = draw.vector(length);
@@ -212,7 +212,7 @@ TEST(TaylorSegment, IsValidToRoundingForItsLength) {
     for (int i = 0; i < 120; ++i) {
       const Body body = draw.box(i % 4);
       const BodyState start = draw.state(body, 1);
-      std::vector<AppliedWrench> applied;
+      std::vector<PointWrench> applied;
       for (int j = 0; j < i % 4; ++j)
         applied.push_back(randomWrench(draw, (i / 3 + j) % 5, body, alpha));
       const TaylorSegment segment(body, held(applied), kGravity, start);
@@ -241,7 +241,7 @@ TEST(TaylorSegment, KeepsTheAttitudeOfNeedles) {
   for (int i = 0; i < 100; ++i) {
     const Body body = draw.box(6);
     const BodyState start = draw.state(body, 1);
-    AppliedWrench applied;
+    PointWrench applied;
     applied.axes = 0;
     applied.torque = body.I.cwiseProduct(draw.vector(std::pow(10, draw.uniform(-3, 3))));
     const TaylorSegment segment(body, held({applied}), kGravity, start);
@@ -264,7 +264,7 @@ TEST(TaylorSegment, FollowsAThousandChangesToRounding) {
     BodyState state = start;
     reference::Motion exact = reference::toMotion(body, start);
     for (int i = 0; i < 1000; ++i) {
-      AppliedWrench applied;
+      PointWrench applied;
       applied.axes = axes;
       applied.force = draw.vector(3);
       applied.point = draw.vector(0.3);
@@ -285,7 +285,7 @@ TEST(TaylorSegment, FollowsAThousandChangesToRounding) {
 // in long double differs by.
 TEST(TaylorSegment, DrivesABoxThroughTenSeconds) {
   const Body body = bodyOf(2, 2.0 / 12 * Vector3d(0.3125, 1.0625, 1.25));
-  AppliedWrench applied;
+  PointWrench applied;
   applied.force = Vector3d(1, 2, 12);
   applied.point = Vector3d(0.3, -0.1, 0.05);
   const HeldWrench wrench = held({applied});
@@ -319,7 +319,7 @@ TEST(TaylorSegment, BalancesMomentum) {
   for (int i = 0; i < 50; ++i) {
     const Body body = draw.box(1);
     const BodyState start = draw.state(body, 1);
-    const AppliedWrench applied = randomWrench(draw, 1, body, 1);
+    const PointWrench applied = randomWrench(draw, 1, body, 1);
     const BodyState end = advanceTaylor(body, held({applied}), kGravity, start, 3.0);
     const Vector3d impulse = 3 * (applied.force + body.mass * kGravity);
     EXPECT_LE((end.p_W - start.p_W - impulse).norm(), 1e-13 * (impulse.norm() + start.p_W.norm()));
@@ -360,7 +360,7 @@ TEST(TaylorSegment, HoldsInEveryUnit) {
   for (int i = 0; i < 60; ++i) {
     const Body body = draw.box(1);
     const BodyState start = draw.state(body, 1);
-    std::vector<AppliedWrench> applied;
+    std::vector<PointWrench> applied;
     for (int j = 0; j < 1 + i % 3; ++j)
       applied.push_back(randomWrench(draw, (i / 3 + j) % 5, body, 1));
     const double m = std::ldexp(1, int(draw.uniform(-160, 160)));
@@ -377,8 +377,8 @@ TEST(TaylorSegment, HoldsInEveryUnit) {
     scaled_start.p_W *= m * l / t;
     scaled_start.L_P *= m * l * l / t;
     scaled_start.L_W *= m * l * l / t;
-    std::vector<AppliedWrench> scaled_applied = applied;
-    for (AppliedWrench& a : scaled_applied) {
+    std::vector<PointWrench> scaled_applied = applied;
+    for (PointWrench& a : scaled_applied) {
       a.force *= force;
       a.torque *= force * l;
       a.point *= l;

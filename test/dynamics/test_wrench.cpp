@@ -34,12 +34,12 @@ TEST(ApplyForce, AddsForceAndMomentAboutTheCentreOfMass) {
   EXPECT_EQ(w.tau_W, Vector3d(0, -2, 0));
 }
 
-TEST(AppliedWrench, TurnsWithTheFrameThatItIsFixedIn) {
+TEST(PointWrench, TurnsWithTheFrameThatItIsFixedIn) {
   std::mt19937 rng(1);
   const std::vector<BodyState> bodies{randomState(rng), randomState(rng)};
   for (std::size_t axes : {kWorld, std::size_t{0}, std::size_t{1}}) {
     for (std::size_t point_frame : {kWorld, std::size_t{0}, std::size_t{1}}) {
-      AppliedWrench applied;
+      PointWrench applied;
       applied.axes = axes;
       applied.point_frame = point_frame;
       applied.force = randomVector(rng);
@@ -56,7 +56,7 @@ TEST(AppliedWrench, TurnsWithTheFrameThatItIsFixedIn) {
       applyForce(expected, bodies[0], R * applied.force, r_W);
       expected.tau_W += R * applied.torque;
       Wrench w;
-      addAppliedWrench(applied, bodies, w);
+      addPointWrench(applied, bodies, w);
       EXPECT_LE((w.f_W - expected.f_W).norm(), 1e-15);
       EXPECT_LE((totalTorque(w, bodies[0]) - expected.tau_W).norm(), 3e-15);
       EXPECT_EQ(isCoupled(applied), axes == 1 || point_frame == 1);
@@ -69,10 +69,10 @@ TEST(HeldWrench, EqualsTheSumOfItsParts) {
   std::mt19937 rng(2);
   for (int count : {1, 2, 3, 4, 20}) {
     HeldWrench held;
-    std::vector<AppliedWrench> parts;
+    std::vector<PointWrench> parts;
     for (int i = 0; i < count; ++i) {
       for (std::size_t axes : {kWorld, std::size_t{0}}) {
-        AppliedWrench applied;
+        PointWrench applied;
         applied.axes = axes;
         applied.point_frame = axes == kWorld && i % 2 == 1 ? kWorld : 0;
         applied.force = randomVector(rng);
@@ -87,7 +87,7 @@ TEST(HeldWrench, EqualsTheSumOfItsParts) {
     for (int i = 0; i < 10; ++i) {
       const std::vector<BodyState> bodies{randomState(rng)};
       Wrench sum;
-      for (const AppliedWrench& applied : parts) addAppliedWrench(applied, bodies, sum);
+      for (const PointWrench& applied : parts) addPointWrench(applied, bodies, sum);
       const Wrench at = held.at(bodies[0]);
       // 40 terms of size 1, each of a few ulp
       EXPECT_LE((at.f_W - sum.f_W).norm(), 4e-15 * count);
@@ -97,7 +97,7 @@ TEST(HeldWrench, EqualsTheSumOfItsParts) {
 }
 
 TEST(HeldWrench, LeavesAloneWhatDependsOnMoreThanItsBody) {
-  AppliedWrench applied;
+  PointWrench applied;
   applied.axes = 0;
   applied.point_frame = kWorld;
   EXPECT_FALSE(HeldWrench::holds(applied));
@@ -109,7 +109,7 @@ TEST(HeldWrench, LeavesAloneWhatDependsOnMoreThanItsBody) {
 TEST(HeldWrench, KnowsWhenTheBodyTurnsFreely) {
   HeldWrench held;
   EXPECT_TRUE(held.torqueFree());
-  AppliedWrench at_com;
+  PointWrench at_com;
   at_com.force = {1, 2, 3};
   held.add(at_com);
   EXPECT_TRUE(held.torqueFree());
@@ -121,7 +121,7 @@ TEST(HeldWrench, KnowsWhenTheBodyTurnsFreely) {
 // A couple or force of the body itself reaches a needle's small component undiluted.
 TEST(HeldWrench, KeepsTheBodysOwnTorqueInItsOwnAxes) {
   HeldWrench held;
-  AppliedWrench thruster;
+  PointWrench thruster;
   thruster.axes = thruster.point_frame = 0;
   thruster.torque = {0, 1, 0};
   held.add(thruster);

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-AppliedWrench push(double force, double start, double end) {
-  AppliedWrench wrench;
+PointWrench push(double force, double start, double end) {
+  PointWrench wrench;
   wrench.force = {force, 0, 0};
   wrench.start = start;
   wrench.end = end;
@@ -18,7 +18,7 @@ AppliedWrench push(double force, double start, double end) {
 
 double activeForce(const WrenchSchedule& schedule) {
   double sum = 0;
-  for (const AppliedWrench& wrench : schedule.active()) sum += wrench.force.x();
+  for (const PointWrench& wrench : schedule.active()) sum += wrench.force.x();
   return sum;
 }
 

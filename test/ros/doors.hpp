@@ -14,8 +14,6 @@
 
 namespace rigid_body_sim {
 
-using GeneralMessage = AppliedWrench_<std::allocator<void>>;
-
 // Both sides run the same steps; the figures differ by what the two ways through the body frame
 // round, grown over a few thousand steps of a body that turns at some 20 rad/s.
 constexpr double kTolerance = 1e-9;
@@ -29,7 +27,7 @@ class Doors : public ::testing::Test {
     driver.connect();
     driver.reset();
     start = driver.step(0);
-    general = nh.advertise<GeneralMessage>("rigid_body_node/wrench", 100);
+    general = nh.advertise<AppliedWrench>("rigid_body_node/wrench", 100);
     EXPECT_TRUE(NodeDriver::waitFor([&] { return general.getNumSubscribers() > 0; }));
   }
 
@@ -75,7 +73,7 @@ class Doors : public ::testing::Test {
 
   /// Messages on one topic arrive in order: once the canary moves, those before it are in.
   void sendCanary() {
-    GeneralMessage message;
+    AppliedWrench message;
     message.header.frame_id = "world";
     message.body = "canary";
     message.id = "canary";
@@ -96,8 +94,8 @@ class Doors : public ::testing::Test {
     return message;
   }
 
-  GeneralMessage generalMessage() const {
-    GeneralMessage message;
+  AppliedWrench generalMessage() const {
+    AppliedWrench message;
     message.header.frame_id = "world";
     message.body = "box";
     message.id = "tug";

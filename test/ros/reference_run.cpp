@@ -55,7 +55,7 @@ Motion ReferenceRun::motion(const std::string& body) const {
 
 void ReferenceRun::pushAtCenterOfMass(const std::string& slot, const std::string& body,
                                       const Vector3d& f_W, const Vector3d& tau_W, Span span) {
-  AppliedWrench applied;
+  PointWrench applied;
   applied.body = applied.point_frame = index(body);
   applied.force = f_W;
   applied.torque = tau_W;
@@ -67,7 +67,7 @@ void ReferenceRun::pushAtCenterOfMass(const std::string& slot, const std::string
 void ReferenceRun::pushAtPoint(const std::string& slot, const std::string& body,
                                const Vector3d& f_W, const Vector3d& tau_W, const Vector3d& point_B,
                                Span span) {
-  AppliedWrench applied;
+  PointWrench applied;
   applied.body = applied.point_frame = index(body);
   applied.force = f_W;
   applied.torque = tau_W;
@@ -80,7 +80,7 @@ void ReferenceRun::pushAtPoint(const std::string& slot, const std::string& body,
 void ReferenceRun::pushAtFrame(const std::string& slot, const std::string& body,
                                const Vector3d& f_F, const Vector3d& tau_F, const Isometry3d& X_BF,
                                Span span) {
-  AppliedWrench applied;
+  PointWrench applied;
   applied.body = applied.axes = applied.point_frame = index(body);
   const Isometry3d X_PF = simulation_->world().bodies[applied.body].X_BP.inverse() * X_BF;
   applied.force = X_PF.linear() * f_F;

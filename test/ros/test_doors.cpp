@@ -51,7 +51,7 @@ TEST_F(Doors, EverydayDoorAgreesWithTheCoreInEveryFrame) {
 }
 
 TEST_F(Doors, GeneralDoorActsAtAPointFromStartToEndExactly) {
-  GeneralMessage message = generalMessage();
+  AppliedWrench message = generalMessage();
   // far enough off to be in before it starts; no multiple of the step
   const double begin = 30.00317;
   const double duration = 0.20491;
@@ -68,7 +68,7 @@ TEST_F(Doors, GeneralDoorActsAtAPointFromStartToEndExactly) {
 }
 
 TEST_F(Doors, GeneralDoorReplacesTheSameIdAndAddsWithoutOne) {
-  GeneralMessage message = generalMessage();
+  AppliedWrench message = generalMessage();
   message.duration = ros::Duration(0.3);
   general.publish(message);
   stepUntil("box", [&](ReferenceRun& run) {
@@ -101,14 +101,14 @@ TEST_F(Doors, RefuseWhatBreaksARuleAndChangeNothing) {
   const ros::Subscriber rosout = nh.subscribe<rosgraph_msgs::Log>("/rosout", 1000, hear);
 
   // what acts is to be left as it was
-  GeneralMessage good = generalMessage();
+  AppliedWrench good = generalMessage();
   good.duration = ros::Duration(100);
   general.publish(good);
   stepUntil("box", [&](ReferenceRun& run) {
     run.pushAtPoint("tug", "box", F, T, point, {run.time(), 100});
   });
 
-  std::vector<GeneralMessage> bad(8, generalMessage());
+  std::vector<AppliedWrench> bad(8, generalMessage());
   bad[0].wrench.force.x = std::numeric_limits<double>::quiet_NaN();
   bad[1].wrench.torque.z = kForEver;
   bad[2].point.y = std::numeric_limits<double>::quiet_NaN();
@@ -117,7 +117,7 @@ TEST_F(Doors, RefuseWhatBreaksARuleAndChangeNothing) {
   bad[5].body = "nobody";
   bad[6].duration = ros::Duration(-1);
   bad[7].id = "";  // and no duration
-  for (const GeneralMessage& message : bad) general.publish(message);
+  for (const AppliedWrench& message : bad) general.publish(message);
   sendCanary();
   stepUntil("canary", [this](ReferenceRun& run) { pushCanary(run); });
   stepBoth(100);

@@ -19,14 +19,14 @@ class WrenchIntake : public ::testing::Test {
   }
 
   /// Force and torque about the centre of mass [world axes] at the initial state.
-  Vector3d force(const AppliedWrench& applied) const { return at(applied).f_W; }
-  Vector3d torque(const AppliedWrench& applied) const {
+  Vector3d force(const PointWrench& applied) const { return at(applied).f_W; }
+  Vector3d torque(const PointWrench& applied) const {
     const Wrench wrench = at(applied);
     return wrench.tau_W + rotate(state.bodies[applied.body].q_WP, wrench.tau_P);
   }
-  Wrench at(const AppliedWrench& applied) const {
+  Wrench at(const PointWrench& applied) const {
     Wrench wrench;
-    addAppliedWrench(applied, state.bodies, wrench);
+    addPointWrench(applied, state.bodies, wrench);
     return wrench;
   }
 

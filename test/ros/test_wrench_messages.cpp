@@ -5,12 +5,10 @@
 namespace rigid_body_sim {
 namespace {
 
-using GeneralMessage = AppliedWrench_<std::allocator<void>>;
-
 const TimeOrigin kOrigin{ros::Time(1700000000, 500000000)};
 
-GeneralMessage generalMessage() {
-  GeneralMessage message;
+AppliedWrench generalMessage() {
+  AppliedWrench message;
   message.header.frame_id = "world";
   message.body = "box";
   message.id = "tug";
@@ -39,7 +37,7 @@ TEST(AppliedWrenchMessage, KeepsEveryField) {
 }
 
 TEST(AppliedWrenchMessage, HasOneSlotForEachId) {
-  GeneralMessage message = generalMessage();
+  AppliedWrench message = generalMessage();
   const std::string tug = toRequest(message, kOrigin).slot;
   message.id = "other";
   EXPECT_NE(toRequest(message, kOrigin).slot, tug);
@@ -48,7 +46,7 @@ TEST(AppliedWrenchMessage, HasOneSlotForEachId) {
 }
 
 TEST(AppliedWrenchMessage, StartsAtTheNextStepWhenItSaysNothing) {
-  GeneralMessage message = generalMessage();
+  AppliedWrench message = generalMessage();
   message.start = ros::Time();
   EXPECT_LT(toRequest(message, kOrigin).wrench.start, -1e300);
 }

@@ -149,7 +149,7 @@ TEST(BuildWorld, HoldsAWrenchOfInfiniteDurationForEver) {
       "bodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]\n"
       "wrenches: [{body: a, frame: world, force: [1, 0, 0], start: 2, duration: .inf}]\n",
       "s");
-  const AppliedWrench wrench = buildWorld(scene).wrenches[0];
+  const PointWrench wrench = buildWorld(scene).wrenches[0];
   EXPECT_EQ(wrench.start, 2);
   EXPECT_EQ(wrench.end, std::numeric_limits<double>::infinity());
 }

@@ -113,7 +113,7 @@ TEST_F(Frames, ResolvesAWrenchInEveryFrameToTheSameForceAndTorque) {
     EXPECT_EQ(resolved.wrench.start, 0);
     EXPECT_EQ(resolved.wrench.end, 2);
     Wrench sum;
-    addAppliedWrench(resolved.wrench, state_.bodies, sum);
+    addPointWrench(resolved.wrench, state_.bodies, sum);
     const Vector3d com_W = inWorld("box", scene_.bodies[0].center_of_mass);
     const Vector3d f_W = q_WF * def.force;
     const Vector3d tau_W = (inWorld(frame, def.point) - com_W).cross(f_W) + q_WF * def.torque;
@@ -134,17 +134,17 @@ TEST_F(Frames, ResolvesAWrenchInEveryFrameToTheSameForceAndTorque) {
 TEST_F(Frames, TakesThePointInTheBodyUnlessToldOtherwise) {
   WrenchDef def = wrenchIn("map");
   def.point_frame.clear();
-  const AppliedWrench wrench = resolveWrench(def, world_.bodies, frames_).wrench;
+  const PointWrench wrench = resolveWrench(def, world_.bodies, frames_).wrench;
   EXPECT_EQ(wrench.point_frame, 0U);
   EXPECT_EQ(wrench.point, frames_.find("box")->X_PF * def.point);
 }
 
 TEST_F(Frames, PutsAWrenchAtTheOriginOfAFrame) {
-  const AppliedWrench wrench =
+  const PointWrench wrench =
       wrenchAtFrame(0, frames_.find("box/tip")->X_PF, {1, 2, 12}, {0.4, 0.5, -0.6});
   WrenchDef def = wrenchIn("box/tip");
   def.point.setZero();
-  const AppliedWrench expected = resolveWrench(def, world_.bodies, frames_).wrench;
+  const PointWrench expected = resolveWrench(def, world_.bodies, frames_).wrench;
   EXPECT_EQ(wrench.body, expected.body);
   EXPECT_EQ(wrench.axes, expected.axes);
   EXPECT_EQ(wrench.force, expected.force);

@@ -11,12 +11,12 @@ namespace rigid_body_sim::reference {
 /// The load of gravity and of wrenches applied to one body, whatever their axes and points among
 /// the world's and its own; starts and ends are not looked at.
 inline auto appliedLoad(const Body& body, const Vector3d& g_W,
-                        const std::vector<AppliedWrench>& applied) {
+                        const std::vector<PointWrench>& applied) {
   return [=](Real, const Motion& m) {
     const Matrix R = m.R();
     Load load;
     load.f_W = Real(body.mass) * g_W.cast<Real>();
-    for (const AppliedWrench& a : applied) {
+    for (const PointWrench& a : applied) {
       const bool own_axes = a.axes == a.body, own_point = a.point_frame == a.body;
       const Vector force = a.force.cast<Real>();
       const Vector torque = a.torque.cast<Real>();

@@ -11,7 +11,7 @@ namespace rigid_body_sim::test {
 
 namespace detail {
 
-inline reference::Load loadOf(const AppliedWrench& applied, const reference::Motions& m) {
+inline reference::Load loadOf(const PointWrench& applied, const reference::Motions& m) {
   using reference::Vector;
   const auto turned = [&](const Vector3d& v) -> Vector {
     const Vector wide = v.cast<reference::Real>();
@@ -32,7 +32,7 @@ inline reference::Load loadOf(const AppliedWrench& applied, const reference::Mot
 /// The motions after a duration, with all that acts on the bodies of the bench.
 inline reference::Motions referenceRun(const Bench& bench, double duration) {
   std::vector<double> instants{duration};
-  for (const AppliedWrench& applied : bench.world.wrenches)
+  for (const PointWrench& applied : bench.world.wrenches)
     for (double t : {applied.start, applied.end})
       if (t > 0 && t < duration) instants.push_back(t);
   std::sort(instants.begin(), instants.end());
@@ -48,7 +48,7 @@ inline reference::Motions referenceRun(const Bench& bench, double duration) {
       for (std::size_t i = 0; i < m.size(); ++i)
         loads[i].f_W =
             reference::Real(bench.world.bodies[i].mass) * bench.world.g_W.cast<reference::Real>();
-      for (const AppliedWrench& applied : bench.world.wrenches) {
+      for (const PointWrench& applied : bench.world.wrenches) {
         if (applied.start > t || applied.end <= t) continue;
         const reference::Load load = detail::loadOf(applied, m);
         loads[applied.body].f_W += load.f_W;

@@ -26,7 +26,7 @@ inline Bench randomBench(unsigned seed) {
   const double stiffness = draw.uniform(5, 40);
   const unsigned kind = seed % 4;
   if (kind < 2) {
-    AppliedWrench push;
+    PointWrench push;
     push.axes = kind == 0 ? kWorld : 0;
     push.force = draw.vector(1);
     push.point = draw.vector(0.2);

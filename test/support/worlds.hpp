@@ -83,7 +83,7 @@ inline Bench pushedBox(std::size_t axes, std::size_t point_frame, double strengt
   bench.world.g_W = {0, 0, -9.81};
   const Vector3d I = 2. / 12 * Vector3d(0.25 + 0.0625, 1 + 0.0625, 1 + 0.25);
   bench.add(principalBody("box", 2, I), tumbling({0.5, 0, 1}, {1, -0.7, 0.4}));
-  AppliedWrench push;
+  PointWrench push;
   push.body = 0;
   push.axes = axes;
   push.point_frame = point_frame;

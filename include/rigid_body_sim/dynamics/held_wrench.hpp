@@ -31,9 +31,9 @@ struct HeldWrench {
 
   /// Whether the wrench is of this kind: axes and point each fixed in the world or in the body
   /// itself, but not body axes at a world point.
-  static bool holds(const AppliedWrench& applied);
+  static bool holds(const PointWrench& applied);
 
-  void add(const AppliedWrench& applied);
+  void add(const PointWrench& applied);
 
   /// The wrench at a state of the body.
   Wrench at(const BodyState& state) const;

@@ -48,7 +48,7 @@ class Simulation {
 
   /// Applies a wrench; see WrenchSchedule::put for slots. Throws std::invalid_argument, and leaves
   /// all as it was, for one that the integrator does not accept.
-  void applyWrench(const std::string& slot, const AppliedWrench& wrench);
+  void applyWrench(const std::string& slot, const PointWrench& wrench);
 
   /// Ends, now, every wrench, those of a body, or those of one slot of it.
   void clearWrenches();

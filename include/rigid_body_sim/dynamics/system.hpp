@@ -13,12 +13,12 @@ namespace rigid_body_sim {
 /// from the scene is absent here.
 struct System {
   std::vector<const Body*> bodies;
-  Vector3d g_W = Vector3d::Zero();     ///< [m/s²]
-  std::vector<HeldWrench> held;        ///< one per body
-  std::vector<AppliedWrench> coupled;  ///< whose axes or point turn with another body; indices are
-                                       ///< those of this system
-  ForceLaws laws;                      ///< indices likewise
-  bool drags = false;                  ///< whether any of the bodies has drag
+  Vector3d g_W = Vector3d::Zero();   ///< [m/s²]
+  std::vector<HeldWrench> held;      ///< one per body
+  std::vector<PointWrench> coupled;  ///< whose axes or point turn with another body; indices are
+                                     ///< those of this system
+  ForceLaws laws;                    ///< indices likewise
+  bool drags = false;                ///< whether any of the bodies has drag
 };
 
 /// Memory that a method reuses from step to step.

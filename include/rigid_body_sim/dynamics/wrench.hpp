@@ -28,7 +28,7 @@ constexpr std::size_t kWorld = std::numeric_limits<std::size_t>::max();
 
 /// A constant force and couple applied at a point of a body for a stretch of simulation time.
 /// Axes and point may each be fixed in the world or in any body, and turn with it.
-struct AppliedWrench {
+struct PointWrench {
   std::size_t body = 0;       ///< the body acted on
   std::size_t axes = kWorld;  ///< of force and torque: world axes or a body's principal axes
   Vector3d force = Vector3d::Zero();   ///< [N] at the point
@@ -40,10 +40,10 @@ struct AppliedWrench {
 };
 
 /// Whether axes or point turn with a body other than the one acted on.
-bool isCoupled(const AppliedWrench& applied);
+bool isCoupled(const PointWrench& applied);
 
 /// Adds an applied wrench at the given states of all bodies.
-void addAppliedWrench(const AppliedWrench& applied, const std::vector<BodyState>& bodies,
-                      Wrench& wrench);
+void addPointWrench(const PointWrench& applied, const std::vector<BodyState>& bodies,
+                    Wrench& wrench);
 
 }  // namespace rigid_body_sim

@@ -14,7 +14,7 @@ class WrenchSchedule {
   /// Adds a wrench. In a named slot it takes over from the slot's former one at its own start;
   /// what the slot held for later is dropped. An empty slot always adds. A start before `now` means
   /// now, at the same duration; a wrench without duration is dropped.
-  void put(const std::string& slot, AppliedWrench wrench, double now);
+  void put(const std::string& slot, PointWrench wrench, double now);
 
   void clear();
   void clear(const std::string& slot);
@@ -26,7 +26,7 @@ class WrenchSchedule {
   /// [s] the next instant at which advanceTo changes something; infinity when none is to come.
   double nextEvent() const { return next_event_; }
 
-  const std::vector<AppliedWrench>& active() const { return active_; }
+  const std::vector<PointWrench>& active() const { return active_; }
   std::size_t size() const { return active_.size() + pending_.size(); }
 
   /// Whether all, acting or to come, depend on the motion of their own body only
@@ -39,11 +39,11 @@ class WrenchSchedule {
  private:
   struct Pending {
     std::string slot;
-    AppliedWrench wrench;
+    PointWrench wrench;
   };
   void findNextEvent();
 
-  std::vector<AppliedWrench> active_;
+  std::vector<PointWrench> active_;
   std::vector<std::string> active_slots_;   // of active_, index by index
   std::multimap<double, Pending> pending_;  // by start
   double next_event_ = std::numeric_limits<double>::infinity();

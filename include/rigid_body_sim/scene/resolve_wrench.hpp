@@ -7,8 +7,8 @@
 namespace rigid_body_sim {
 
 struct ResolvedWrench {
-  AppliedWrench wrench;  ///< of account only without fault
-  std::string fault;     ///< one line saying which rule is broken and what was found; empty if none
+  PointWrench wrench;  ///< of account only without fault
+  std::string fault;   ///< one line saying which rule is broken and what was found; empty if none
 };
 
 /// A wrench given by names, in the frames in which the core holds it:
@@ -21,7 +21,7 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
 
 /// The wrench on a body that one frame F fixed to it says all about: force and torque [N, N m] in
 /// the axes of F, at the origin of F. X_PF: F in the body's principal frame.
-AppliedWrench wrenchAtFrame(std::size_t body, const Isometry3d& X_PF, const Vector3d& force_F,
-                            const Vector3d& torque_F);
+PointWrench wrenchAtFrame(std::size_t body, const Isometry3d& X_PF, const Vector3d& force_F,
+                          const Vector3d& torque_F);
 
 }  // namespace rigid_body_sim
