@@ -31,6 +31,7 @@ rigid_body_gtest(test_mass
 
 rigid_body_gtest(test_dynamics
   SOURCES
+    test/dynamics/test_describe_solution.cpp
     test/dynamics/test_law_motion.cpp
     test/dynamics/test_laws.cpp
     test/dynamics/test_methods.cpp
@@ -45,7 +46,9 @@ rigid_body_gtest(test_scene
     test/scene/test_any_text.cpp
     test/scene/test_build_world.cpp
     test/scene/test_file_errors.cpp
+    test/scene/test_forces.cpp
     test/scene/test_frames.cpp
+    test/scene/test_law_scenes.cpp
     test/scene/test_key_errors.cpp
     test/scene/test_mesh_of_scene.cpp
     test/scene/test_numbers.cpp

@@ -38,6 +38,13 @@ class Trial {
 
   int mostParts() const { return most_parts_; }
 
+  /// Whether shorter steps gain nothing more: the errors, as shares of the tolerance, are those of
+  /// steps short enough to be of the method's order, and fall no longer.
+  bool isStuck(double error, double last_error) const {
+    constexpr double kSmall = 1e-8;  // [rad]
+    return error < std::max(1e3, kSmall / tolerance_) && error > last_error / 1.5;
+  }
+
   /// Nothing where the method cannot follow.
   std::optional<Run> run(const Method& method, int parts) const {
     constexpr int kInstants = 16;
@@ -117,7 +124,8 @@ std::optional<Track> truthOf(const Trial& trial) {
     if (run) parts = run->parts;
     if (run && last) {
       const double error = trial.error(*last, run->track);
-      if (error < 0.01 || (error < 1 && error >= last_error)) return std::move(run->track);
+      if (error < 0.01 || (error < 1 && error >= last_error) || trial.isStuck(error, last_error))
+        return std::move(run->track);
       last_error = error;
     }
     last.reset();
@@ -150,7 +158,7 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
       if (holds || (!best.holds && error < best.error)) best = {&*row, parts, error, 1, holds};
       if (holds) best_cost = run->cost;
       // rounding has the better of the shorter step, or the row cannot get there
-      if (holds || (error < 1e3 && error > last_error / 1.5)) break;
+      if (holds || trial.isStuck(error, last_error)) break;
       last_error = error;
     }
   }

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <memory>
 
-#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
 #include "csv_writer.hpp"
@@ -47,6 +47,8 @@ void run(const SimulateOptions& options) {
   Simulation simulation(world, first);
   std::unique_ptr<CsvWriter> csv;
   if (options.csv) csv = std::make_unique<CsvWriter>(*options.csv);
+  for (const std::string& line : describeSolution(simulation))
+    std::fprintf(stderr, "%s\n", line.c_str());
 
   const double duration = options.duration.value_or(world.solver.horizon);
   const auto begin = std::chrono::steady_clock::now();
@@ -54,6 +56,8 @@ void run(const SimulateOptions& options) {
       simulate(simulation, duration, options.sample.value_or(scene.time_step), csv.get());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   if (csv) csv->finish();
+  const std::string parts = describeParts(simulation);
+  if (!parts.empty()) printNotice("simulate", parts);
 
   std::FILE* out = options.csv == "-" ? stderr : stdout;
   std::fprintf(out, "%s: %.6g s in steps of %.6g s with %s, in %.3g s\n", options.scene.c_str(),

@@ -102,6 +102,20 @@ TEST(Simulate, TakesMethodAndStepFromTheCommandLine) {
             std::string::npos);
 }
 
+TEST(Simulate, SaysHowEachBodyIsSolved) {
+  const Outcome run = simulate(scenePath("demo.yaml") + " --duration 0.1 2>&1 >/dev/null");
+  EXPECT_EQ(lines(run.out), (std::vector<std::string>{"box: free, asymmetric, exact",
+                                                      "wing_nut: free, asymmetric, exact"}));
+}
+
+TEST(Simulate, RefusesAnIntegratorThatDoesNotTakeTheScene) {
+  const Outcome run = simulate(scenePath("spring_pair.yaml") + " --integrator taylor 2>&1");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(lines(run.out).size(), 1U);
+  EXPECT_NE(run.out.find("spring_pair.yaml: integrator must be auto or take"), std::string::npos)
+      << run.out;
+}
+
 TEST(Simulate, ExitsWithOneForBadInput) {
   const Outcome absent = simulate("absent.yaml 2>&1");
   EXPECT_EQ(absent.exit_code, 1);
@@ -129,7 +143,7 @@ wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}
 )");
   const Outcome run = simulate(scene + " 2>&1");
   EXPECT_EQ(run.exit_code, 3);
-  EXPECT_EQ(lines(run.out).size(), 1U);
+  EXPECT_EQ(lines(run.out).size(), 2U);  // how it is solved, and what went wrong
   EXPECT_NE(run.out.find("body 'rocket'"), std::string::npos) << run.out;
 }
 

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/dynamics/describe_solution.hpp>
+
+#include "support/law_benches.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using test::Bench;
+using test::principalBody;
+using test::tumbling;
+using Lines = std::vector<std::string>;
+
+Bench freeBody(const Vector3d& I) {
+  Bench bench;
+  bench.add(principalBody("wing_nut", 1, I), tumbling({0, 0, 0}, {1, 2, 3}));
+  return bench;
+}
+
+TEST(DescribeSolution, NamesTheRotorOfAFreeBody) {
+  const auto lines = [](const Vector3d& I) {
+    return describeSolution(freeBody(I).simulation("auto", 0.01));
+  };
+  EXPECT_EQ(lines({1, 2, 3}), Lines{"wing_nut: free, asymmetric, exact"});
+  EXPECT_EQ(lines({1, 2, 2}), Lines{"wing_nut: free, symmetric, exact"});
+  EXPECT_EQ(lines({2, 2, 2}), Lines{"wing_nut: free, spherical, exact"});
+}
+
+TEST(DescribeSolution, SaysWhatActsAndHowItIsSolved) {
+  EXPECT_EQ(describeSolution(test::pushedBox(kWorld, 0).simulation("auto", 0.01)),
+            Lines{"box: gravity, wrenches, Taylor"});
+  Bench bench = test::springPair(1);
+  bench.world.bodies[1].drag.linear = 0.1;
+  Body table = principalBody("table", 1, {1, 1, 1});
+  table.fixed = true;
+  bench.add(table, BodyFrameMotion());
+  bench.add(principalBody("loose", 1, {1, 2, 3}), BodyFrameMotion());
+  EXPECT_EQ(describeSolution(bench.simulation("rk4", 0.002)),
+            (Lines{"upper: spring, rk4, h <= 2 ms", "lower: spring, drag, rk4, h <= 2 ms",
+                   "table: fixed", "loose: free, rk4, h <= 2 ms"}));
+  EXPECT_EQ(describeSolution(test::satellite().simulation("strang", 0.001)),
+            Lines{"satellite: central gravity, strang, h <= 1 ms"});
+}
+
+TEST(DescribeSolution, NamesTheRowThatAutoChose) {
+  Bench bench = test::springPair(1);
+  bench.world.solver.horizon = 1;
+  const Simulation sim = bench.simulation("auto", 0.5);
+  const MethodChoice& choice = sim.groups()[0].choice();
+  ASSERT_GT(choice.parts, 1);
+  const Lines lines = describeSolution(sim);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].find("upper: spring, " + std::string(choice.method->name) + ", h <= "), 0u)
+      << lines[0];
+  EXPECT_NE(lines[0].find("(" + std::to_string(choice.parts) + " parts a step)"),
+            Lines::value_type::npos)
+      << lines[0];
+}
+
+TEST(DescribeSolution, OwnsUpWhereNothingHoldsTheTolerance) {
+  Bench bench = test::springPair(1);
+  bench.world.solver.horizon = 1;
+  bench.world.solver.tolerance = 1e-30;
+  const Lines lines = describeSolution(bench.simulation("auto", 0.01));
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_NE(lines[2].find("upper and 1 with it: no method was found to hold tolerance 1e-30"),
+            std::string::npos)
+      << lines[2];
+}
+
+TEST(DescribeParts, SaysInHowManyAStepWasTaken) {
+  Simulation slow = freeBody({1, 2, 3}).simulation("strang", 0.01);
+  slow.step();
+  EXPECT_EQ(describeParts(slow), "");
+  Simulation fast = freeBody({1, 2, 3}).simulation("strang", 1);
+  fast.step();
+  EXPECT_NE(describeParts(fast).find("in up to 5 parts"), std::string::npos) << describeParts(fast);
+}
+
+}  // namespace
+}  // namespace rigid_body_sim
