@@ -49,8 +49,10 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       nh_(onQueue("", queue_)),
       private_nh_(onQueue("~", queue_)),
       outputs_(nh_, private_nh_, options, scene, simulation_.world(), simulation_.state(), origin_),
-      doors_(nh_, private_nh_, movingBodies(simulation_.world()), origin_,
-             [this](const WrenchRequest& request) { take(request); }),
+      doors_(
+          nh_, private_nh_, movingBodies(simulation_.world()), origin_,
+          [this](const WrenchRequest& request) { return take(request); },
+          [this](const std::string& body, const std::string& slot) { return clear(body, slot); }),
       pause_service_(private_nh_.advertiseService("pause", &SimulationNode::pause, this)),
       step_service_(private_nh_.advertiseService("step", &SimulationNode::stepPaused, this)),
       reset_service_(private_nh_.advertiseService("reset", &SimulationNode::reset, this)) {}
@@ -86,13 +88,34 @@ void SimulationNode::step() {
   outputs_.publishDue(simulation_.state());
 }
 
-void SimulationNode::take(const WrenchRequest& request) {
-  const ResolvedWrench resolved =
+/// Returns the fault of a request that is refused.
+std::string SimulationNode::take(const WrenchRequest& request) {
+  ResolvedWrench resolved =
       takeWrench(request, simulation_.world().bodies, frames_, rules_, simulation_.time());
-  if (resolved.fault.empty())
-    simulation_.applyWrench(request.slot, resolved.wrench);
-  else
-    refusals_.add(resolved.fault);
+  try {
+    if (resolved.fault.empty()) simulation_.applyWrench(request.slot, resolved.wrench);
+  } catch (const std::invalid_argument& error) {
+    resolved.fault = error.what();  // the scene's integrator does not accept it
+  }
+  if (!resolved.fault.empty()) refusals_.add(resolved.fault);
+  return resolved.fault;
+}
+
+WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::string& slot) {
+  const std::vector<Body>& bodies = simulation_.world().bodies;
+  const std::size_t before = simulation_.wrenchCount();
+  if (body.empty() && slot.empty()) simulation_.clearWrenches();
+  bool known = body.empty();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (body.empty() ? slot.empty() : bodies[i].name != body) continue;
+    known = true;
+    if (slot.empty())
+      simulation_.clearWrenches(i);
+    else
+      simulation_.clearWrenches(i, slot);
+  }
+  if (!known) return {"unknown body '" + body + "'"};
+  return {"", before - simulation_.wrenchCount()};
 }
 
 bool SimulationNode::pause(std_srvs::SetBool::Request& request,
