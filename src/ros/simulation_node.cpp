@@ -48,7 +48,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       paused_(options.start_paused),
       nh_(onQueue("", queue_)),
       private_nh_(onQueue("~", queue_)),
-      outputs_(nh_, private_nh_, options, scene, simulation_.world(), simulation_.state(), origin_),
+      outputs_(nh_, private_nh_, options, scene, simulation_, origin_),
       doors_(
           nh_, private_nh_, movingBodies(simulation_.world()), origin_,
           [this](const WrenchRequest& request) { return take(request); },
@@ -59,7 +59,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
 
 void SimulationNode::run() {
   pacer_.restart(simulation_.time(), Pacer::Clock::now());
-  if (!paused_) outputs_.publishDue(simulation_.state());
+  if (!paused_) outputs_.publishDue();
   while (ros::ok()) {
     serveUntilDue();
     if (!paused_ && ros::ok()) step();
@@ -85,7 +85,7 @@ void SimulationNode::step() {
   const double h = simulation_.world().solver.time_step;
   pacer_.begin(simulation_.time() + h, h, Pacer::Clock::now());
   simulation_.step();
-  outputs_.publishDue(simulation_.state());
+  outputs_.publishDue();
 }
 
 /// Returns the fault of a request that is refused.
@@ -122,7 +122,7 @@ bool SimulationNode::pause(std_srvs::SetBool::Request& request,
                            std_srvs::SetBool::Response& response) {
   if (paused_ && !request.data) {
     pacer_.restart(simulation_.time(), Pacer::Clock::now());
-    outputs_.publishDue(simulation_.state());
+    outputs_.publishDue();
   }
   paused_ = request.data;
   response.success = true;
@@ -136,10 +136,10 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
   try {
     for (std::uint32_t i = 0; response.success && i < request.steps; ++i) {
       simulation_.step();
-      outputs_.publishDue(simulation_.state());
+      outputs_.publishDue();
       response.success = ros::ok();
     }
-    if (response.success && request.steps > 0) outputs_.publishNow(simulation_.state());
+    if (response.success && request.steps > 0) outputs_.publishNow();
     if (!ros::ok()) response.message = "shut down before the last step";
   } catch (const SimulationDiverged& error) {
     // paused: the last finite state waits for a reset
