@@ -100,6 +100,8 @@ rigid_body_rostest(clock ${driver})
 rigid_body_rostest(doors ${driver})
 rigid_body_rostest(process)
 rigid_body_rostest(services ${driver})
+rigid_body_rostest(state_topics ${driver})
+rigid_body_rostest(wrench_services ${driver})
 
 file(GLOB launch_files RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/launch/*.launch)
 foreach(launch_file ${launch_files})

@@ -9,7 +9,7 @@ namespace {
 
 bool isPushed(const World& world, std::size_t body) {
   return std::any_of(world.wrenches.begin(), world.wrenches.end(),
-                     [body](const AppliedWrench& wrench) { return wrench.body == body; });
+                     [body](const PointWrench& wrench) { return wrench.body == body; });
 }
 
 /// Names of the laws on each body, each name once; one pass over the laws of the world.

@@ -4,6 +4,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include "markers.hpp"
+#include "state_messages.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -21,9 +22,8 @@ Isometry3d poseOf(const PointDef& point) {
 }  // namespace
 
 Outputs::Outputs(ros::NodeHandle nh, ros::NodeHandle private_nh, const NodeOptions& options,
-                 const Scene& scene, const World& world, const State& initial,
-                 const TimeOrigin& origin)
-    : world_(world),
+                 const Scene& scene, const Simulation& simulation, const TimeOrigin& origin)
+    : simulation_(simulation),
       world_frame_(scene.world_frame),
       origin_(origin),
       publish_clock_(options.publish_clock),
@@ -32,23 +32,29 @@ Outputs::Outputs(ros::NodeHandle nh, ros::NodeHandle private_nh, const NodeOptio
       tf_(nh.advertise<tf2_msgs::TFMessage>("/tf", kQueueSize)),
       tf_static_(nh.advertise<tf2_msgs::TFMessage>("/tf_static", kQueueSize, kLatched)),
       markers_(
-          private_nh.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize, kLatched)) {
+          private_nh.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize, kLatched)),
+      states_(private_nh.advertise<BodyStates>("states", kQueueSize)) {
   if (publish_clock_) clock_ = nh.advertise<rosgraph_msgs::Clock>("/clock", kQueueSize);
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const Body& body = world.bodies[i];
-    if (!body.fixed)
-      odometers_.push_back({i, nh.advertise<nav_msgs::Odometry>(body.name + "/odom", kQueueSize)});
+  const std::vector<Body>& bodies = simulation.world().bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::string& name = bodies[i].name;
+    if (bodies[i].fixed) continue;
+    bodies_.push_back(
+        {i, nh.advertise<nav_msgs::Odometry>(name + "/odom", kQueueSize),
+         nh.advertise<geometry_msgs::WrenchStamped>(name + "/applied_wrench", kQueueSize)});
   }
-  publishOnce(scene, initial);
+  publishOnce(scene);
 }
 
-void Outputs::publishOnce(const Scene& scene, const State& initial) {
+void Outputs::publishOnce(const Scene& scene) {
   const ros::Time stamp = origin_.stamp(0);
+  const std::vector<Body>& bodies = simulation_.world().bodies;
   tf2_msgs::TFMessage frames;
-  for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
-    const Body& body = world_.bodies[i];
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Body& body = bodies[i];
     if (body.fixed)
-      frames.transforms.push_back(toTransform(body, initial.bodies[i], world_frame_, stamp));
+      frames.transforms.push_back(
+          toTransform(body, simulation_.state().bodies[i], world_frame_, stamp));
     for (const PointDef& point : scene.bodies[i].points)
       frames.transforms.push_back(
           toTransform(poseOf(point), body.name, body.name + "/" + point.name, stamp));
@@ -57,14 +63,15 @@ void Outputs::publishOnce(const Scene& scene, const State& initial) {
   markers_.publish(toMarkers(scene));
 }
 
-void Outputs::publishDue(const State& state) {
-  if (publish_clock_ && clock_ticker_.due(state.t)) publishClock(state);
-  if (state_ticker_.due(state.t)) publishState(state);
+void Outputs::publishDue() {
+  const double t = simulation_.time();
+  if (publish_clock_ && clock_ticker_.due(t)) publishClock();
+  if (state_ticker_.due(t)) publishState();
 }
 
-void Outputs::publishNow(const State& state) {
-  if (publish_clock_) publishClock(state);
-  publishState(state);
+void Outputs::publishNow() {
+  if (publish_clock_) publishClock();
+  publishState();
 }
 
 void Outputs::restart() {
@@ -73,33 +80,42 @@ void Outputs::restart() {
   last_state_stamp_ = last_clock_stamp_ = ros::Time();
 }
 
-void Outputs::publishClock(const State& state) {
+void Outputs::publishClock() {
   rosgraph_msgs::Clock message;
-  message.clock = origin_.stamp(state.t);
+  message.clock = origin_.stamp(simulation_.time());
   if (message.clock <= last_clock_stamp_) return;
   last_clock_stamp_ = message.clock;
   clock_.publish(message);
 }
 
-void Outputs::publishState(const State& state) {
-  const ros::Time stamp = origin_.stamp(state.t);
+void Outputs::publishState() {
+  const ros::Time stamp = origin_.stamp(simulation_.time());
   if (stamp <= last_state_stamp_) return;
   last_state_stamp_ = stamp;
-  if (tf_.getNumSubscribers() > 0) publishTransforms(state, stamp);
-  for (const Odometer& odometer : odometers_) {
-    if (odometer.publisher.getNumSubscribers() == 0) continue;
-    odometer.publisher.publish(
-        toOdometry(world_.bodies[odometer.body], state.bodies[odometer.body], world_frame_, stamp));
-  }
+  if (tf_.getNumSubscribers() > 0) publishTransforms(stamp);
+  if (states_.getNumSubscribers() > 0)
+    states_.publish(toBodyStates(simulation_.world(), simulation_.state(), world_frame_, stamp));
+  for (const BodyTopics& topics : bodies_) publishBody(topics, stamp);
 }
 
-void Outputs::publishTransforms(const State& state, const ros::Time& stamp) {
+void Outputs::publishTransforms(const ros::Time& stamp) {
   tf2_msgs::TFMessage frames;
-  frames.transforms.reserve(odometers_.size());
-  for (const Odometer& odometer : odometers_)
-    frames.transforms.push_back(toTransform(world_.bodies[odometer.body],
-                                            state.bodies[odometer.body], world_frame_, stamp));
+  frames.transforms.reserve(bodies_.size());
+  for (const BodyTopics& topics : bodies_)
+    frames.transforms.push_back(toTransform(simulation_.world().bodies[topics.body],
+                                            simulation_.state().bodies[topics.body], world_frame_,
+                                            stamp));
   tf_.publish(frames);
+}
+
+void Outputs::publishBody(const BodyTopics& topics, const ros::Time& stamp) {
+  const Body& body = simulation_.world().bodies[topics.body];
+  const BodyState& state = simulation_.state().bodies[topics.body];
+  if (topics.odometry.getNumSubscribers() > 0)
+    topics.odometry.publish(toOdometry(body, state, world_frame_, stamp));
+  if (topics.applied_wrench.getNumSubscribers() > 0)
+    topics.applied_wrench.publish(
+        toWrenchStamped(body, state, simulation_.appliedWrench(topics.body), stamp));
 }
 
 }  // namespace rigid_body_sim

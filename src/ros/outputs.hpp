@@ -5,7 +5,7 @@
 
 #include <ros/node_handle.h>
 
-#include <rigid_body_sim/dynamics/world.hpp>
+#include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/scene.hpp>
 
 #include "conversions.hpp"
@@ -14,35 +14,38 @@
 
 namespace rigid_body_sim {
 
-/// What the node tells: moving bodies on /tf and <body>/odom at the publish rate, /clock at its
-/// own; once, latched: fixed bodies and named points on /tf_static, and ~markers. Without
-/// subscribers nothing is computed. Stamps strictly increase.
+/// What the node tells: moving bodies on /tf, <body>/odom and <body>/applied_wrench, and all bodies
+/// on ~states, at the publish rate; /clock at its own; once, latched: fixed bodies and named points
+/// on /tf_static, and ~markers. Without subscribers nothing is computed. Stamps strictly increase.
 class Outputs {
  public:
   Outputs(ros::NodeHandle nh, ros::NodeHandle private_nh, const NodeOptions& options,
-          const Scene& scene, const World& world, const State& initial, const TimeOrigin& origin);
+          const Scene& scene, const Simulation& simulation, const TimeOrigin& origin);
 
   /// Publishes what is due at a step.
-  void publishDue(const State& state);
+  void publishDue();
 
   /// Publishes the state whether due or not, unless it has been already.
-  void publishNow(const State& state);
+  void publishNow();
 
   /// Time has been set back to the start.
   void restart();
 
  private:
-  struct Odometer {
+  /// The topics of a body that moves.
+  struct BodyTopics {
     std::size_t body;
-    ros::Publisher publisher;
+    ros::Publisher odometry;
+    ros::Publisher applied_wrench;
   };
 
-  void publishOnce(const Scene& scene, const State& initial);
-  void publishState(const State& state);
-  void publishClock(const State& state);
-  void publishTransforms(const State& state, const ros::Time& stamp);
+  void publishOnce(const Scene& scene);
+  void publishState();
+  void publishClock();
+  void publishTransforms(const ros::Time& stamp);
+  void publishBody(const BodyTopics& topics, const ros::Time& stamp);
 
-  const World& world_;
+  const Simulation& simulation_;
   std::string world_frame_;
   TimeOrigin origin_;
   bool publish_clock_;
@@ -54,7 +57,8 @@ class Outputs {
   ros::Publisher tf_static_;
   ros::Publisher markers_;
   ros::Publisher clock_;
-  std::vector<Odometer> odometers_;  // of the bodies that move
+  ros::Publisher states_;
+  std::vector<BodyTopics> bodies_;
 };
 
 }  // namespace rigid_body_sim

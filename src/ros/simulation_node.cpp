@@ -48,16 +48,18 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       paused_(options.start_paused),
       nh_(onQueue("", queue_)),
       private_nh_(onQueue("~", queue_)),
-      outputs_(nh_, private_nh_, options, scene, simulation_.world(), simulation_.state(), origin_),
-      doors_(nh_, private_nh_, movingBodies(simulation_.world()), origin_,
-             [this](const WrenchRequest& request) { take(request); }),
+      outputs_(nh_, private_nh_, options, scene, simulation_, origin_),
+      doors_(
+          nh_, private_nh_, movingBodies(simulation_.world()), origin_,
+          [this](const WrenchRequest& request) { return take(request); },
+          [this](const std::string& body, const std::string& slot) { return clear(body, slot); }),
       pause_service_(private_nh_.advertiseService("pause", &SimulationNode::pause, this)),
       step_service_(private_nh_.advertiseService("step", &SimulationNode::stepPaused, this)),
       reset_service_(private_nh_.advertiseService("reset", &SimulationNode::reset, this)) {}
 
 void SimulationNode::run() {
   pacer_.restart(simulation_.time(), Pacer::Clock::now());
-  if (!paused_) outputs_.publishDue(simulation_.state());
+  if (!paused_) outputs_.publishDue();
   while (ros::ok()) {
     serveUntilDue();
     if (!paused_ && ros::ok()) step();
@@ -83,23 +85,44 @@ void SimulationNode::step() {
   const double h = simulation_.world().solver.time_step;
   pacer_.begin(simulation_.time() + h, h, Pacer::Clock::now());
   simulation_.step();
-  outputs_.publishDue(simulation_.state());
+  outputs_.publishDue();
 }
 
-void SimulationNode::take(const WrenchRequest& request) {
-  const ResolvedWrench resolved =
+/// Returns the fault of a request that is refused.
+std::string SimulationNode::take(const WrenchRequest& request) {
+  ResolvedWrench resolved =
       takeWrench(request, simulation_.world().bodies, frames_, rules_, simulation_.time());
-  if (resolved.fault.empty())
-    simulation_.applyWrench(request.slot, resolved.wrench);
-  else
-    refusals_.add(resolved.fault);
+  try {
+    if (resolved.fault.empty()) simulation_.applyWrench(request.slot, resolved.wrench);
+  } catch (const std::invalid_argument& error) {
+    resolved.fault = error.what();  // the scene's integrator does not accept it
+  }
+  if (!resolved.fault.empty()) refusals_.add(resolved.fault);
+  return resolved.fault;
+}
+
+WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::string& slot) {
+  const std::vector<Body>& bodies = simulation_.world().bodies;
+  const std::size_t before = simulation_.wrenchCount();
+  if (body.empty() && slot.empty()) simulation_.clearWrenches();
+  bool known = body.empty();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (body.empty() ? slot.empty() : bodies[i].name != body) continue;
+    known = true;
+    if (slot.empty())
+      simulation_.clearWrenches(i);
+    else
+      simulation_.clearWrenches(i, slot);
+  }
+  if (!known) return {"unknown body '" + body + "'"};
+  return {"", before - simulation_.wrenchCount()};
 }
 
 bool SimulationNode::pause(std_srvs::SetBool::Request& request,
                            std_srvs::SetBool::Response& response) {
   if (paused_ && !request.data) {
     pacer_.restart(simulation_.time(), Pacer::Clock::now());
-    outputs_.publishDue(simulation_.state());
+    outputs_.publishDue();
   }
   paused_ = request.data;
   response.success = true;
@@ -113,10 +136,10 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
   try {
     for (std::uint32_t i = 0; response.success && i < request.steps; ++i) {
       simulation_.step();
-      outputs_.publishDue(simulation_.state());
+      outputs_.publishDue();
       response.success = ros::ok();
     }
-    if (response.success && request.steps > 0) outputs_.publishNow(simulation_.state());
+    if (response.success && request.steps > 0) outputs_.publishNow();
     if (!ros::ok()) response.message = "shut down before the last step";
   } catch (const SimulationDiverged& error) {
     // paused: the last finite state waits for a reset

@@ -33,7 +33,8 @@ class SimulationNode {
  private:
   void serveUntilDue();
   void step();
-  void take(const WrenchRequest& request);
+  std::string take(const WrenchRequest& request);
+  WrenchDoors::Cleared clear(const std::string& body, const std::string& slot);
 
   bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool stepPaused(Step::Request& request, Step::Response& response);

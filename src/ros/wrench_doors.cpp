@@ -1,5 +1,8 @@
 #include "wrench_doors.hpp"
 
+#include <rigid_body_sim/ApplyWrench.h>
+#include <rigid_body_sim/ClearWrenches.h>
+
 #include "wrench_messages.hpp"
 
 namespace rigid_body_sim {
@@ -15,11 +18,31 @@ ros::Subscriber subscribe(ros::NodeHandle& nh, const std::string& topic,
                                ros::TransportHints().tcpNoDelay());
 }
 
+template <class Service>
+using Answer = boost::function<bool(typename Service::Request&, typename Service::Response&)>;
+
+Answer<ApplyWrench> answering(const TimeOrigin& origin, const WrenchDoors::Sink& sink) {
+  return [origin, sink](ApplyWrench::Request& request, ApplyWrench::Response& response) {
+    response.message = sink(toRequest(request.wrench, origin));
+    response.success = response.message.empty();
+    return true;
+  };
+}
+
+Answer<ClearWrenches> answering(const WrenchDoors::Clear& clear) {
+  return [clear](ClearWrenches::Request& request, ClearWrenches::Response& response) {
+    const WrenchDoors::Cleared cleared = clear(request.body, slotOfId(request.id));
+    response.success = cleared.fault.empty();
+    response.message = response.success ? "ended: " + std::to_string(cleared.count) : cleared.fault;
+    return true;
+  };
+}
+
 }  // namespace
 
 WrenchDoors::WrenchDoors(ros::NodeHandle nh, ros::NodeHandle private_nh,
                          const std::vector<std::string>& bodies, const TimeOrigin& origin,
-                         const Sink& sink) {
+                         const Sink& sink, const Clear& clear) {
   using Everyday = geometry_msgs::WrenchStamped;
   for (const std::string& body : bodies) {
     subscribers_.push_back(subscribe<Everyday>(
@@ -30,6 +53,8 @@ WrenchDoors::WrenchDoors(ros::NodeHandle nh, ros::NodeHandle private_nh,
       private_nh, "wrench", [origin, sink](const AppliedWrench::ConstPtr& message) {
         sink(toRequest(*message, origin));
       }));
+  services_.push_back(private_nh.advertiseService("apply_wrench", answering(origin, sink)));
+  services_.push_back(private_nh.advertiseService("clear_wrenches", answering(clear)));
 }
 
 }  // namespace rigid_body_sim

@@ -9,6 +9,8 @@ constexpr double kNextStep = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+std::string slotOfId(const std::string& id) { return id.empty() ? "" : "id " + id; }
+
 WrenchRequest toRequest(const std::string& body, const geometry_msgs::WrenchStamped& message) {
   WrenchRequest request;
   request.slot = "frame " + message.header.frame_id;
@@ -23,7 +25,7 @@ WrenchRequest toRequest(const std::string& body, const geometry_msgs::WrenchStam
 
 WrenchRequest toRequest(const AppliedWrench& message, const TimeOrigin& origin) {
   WrenchRequest request;
-  if (!message.id.empty()) request.slot = "id " + message.id;
+  request.slot = slotOfId(message.id);
   request.wrench.body = message.body;
   request.wrench.frame = message.header.frame_id;
   request.wrench.point_frame = message.point_frame;

@@ -11,6 +11,9 @@
 
 namespace rigid_body_sim {
 
+/// The slot of an id of AppliedWrench on its body; empty for none. No <body>/wrench has it.
+std::string slotOfId(const std::string& id);
+
 /// The request of a message on <body>/wrench: one slot for each frame, at the next step, held.
 WrenchRequest toRequest(const std::string& body, const geometry_msgs::WrenchStamped& message);
 

@@ -36,6 +36,8 @@ void ReferenceRun::step() { simulation_->step(); }
 
 void ReferenceRun::reset() { simulation_->reset(false); }
 
+void ReferenceRun::clear(const std::string& body) { simulation_->clearWrenches(index(body)); }
+
 double ReferenceRun::time() const { return simulation_->time(); }
 
 std::size_t ReferenceRun::index(const std::string& body) const {

@@ -30,6 +30,8 @@ class ReferenceRun {
 
   void step();
   void reset();
+  /// Ends every wrench on a body.
+  void clear(const std::string& body);
   double time() const;
   Motion motion(const std::string& body) const;
 

@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/ApplyWrench.h>
+#include <rigid_body_sim/ClearWrenches.h>
+
+#include "doors.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+constexpr double kLong = 100;  // [s] beyond the end of every test
+
+/// The fault; empty when taken.
+std::string faultOf(const GeneralMessage& wrench, const std::string& node = "rigid_body_node") {
+  ApplyWrench call;
+  call.request.wrench = wrench;
+  if (!ros::service::waitForService(node + "/apply_wrench", 20000)) return "no service";
+  if (!ros::service::call(node + "/apply_wrench", call)) return "no answer";
+  EXPECT_EQ(call.response.success, call.response.message.empty());
+  return call.response.message;
+}
+
+ClearWrenches::Response clear(const std::string& body, const std::string& id) {
+  ClearWrenches call;
+  call.request.body = body;
+  call.request.id = id;
+  EXPECT_TRUE(ros::service::call("rigid_body_node/clear_wrenches", call));
+  return call.response;
+}
+
+class WrenchServices : public Doors {
+ protected:
+  GeneralMessage lasting(const std::string& body, const std::string& id) const {
+    GeneralMessage message = generalMessage();
+    message.body = body;
+    message.id = id;
+    message.duration = ros::Duration(kLong);
+    return message;
+  }
+
+  void pushReference(const std::string& body, const std::string& id) {
+    reference.pushAtPoint(id, body, F, T, point, {reference.time(), kLong});
+  }
+};
+
+}  // namespace
+
+TEST_F(WrenchServices, ApplyActsFromTheNextStepAsTheTopicDoes) {
+  GeneralMessage message = generalMessage();
+  message.duration = ros::Duration(0.20491);
+  EXPECT_EQ(faultOf(message), "");
+  reference.pushAtPoint("tug", "box", F, T, point, {reference.time(), 0.20491});
+  stepBoth(10);
+  // the topic's slot is the same
+  message.wrench.force.x *= 2;
+  general.publish(message);
+  stepUntil("box", [&](ReferenceRun& run) {
+    run.pushAtPoint("tug", "box", Vector3d(2 * F.x(), F.y(), F.z()), T, point,
+                    {run.time(), 0.20491});
+  });
+  stepBoth(30);
+}
+
+TEST_F(WrenchServices, ApplyNamesTheRuleThatIsBrokenAndChangesNothing) {
+  EXPECT_EQ(faultOf(lasting("box", "tug")), "");
+  pushReference("box", "tug");
+  GeneralMessage message = lasting("box", "tug");
+  message.header.frame_id = "nowhere";
+  EXPECT_NE(faultOf(message).find("unknown frame 'nowhere'"), std::string::npos);
+  message = lasting("nobody", "tug");
+  EXPECT_NE(faultOf(message).find("unknown body 'nobody'"), std::string::npos);
+  message = lasting("box", "tug");
+  message.duration = ros::Duration(-1);
+  EXPECT_NE(faultOf(message).find("duration must be >= 0 s, got -1"), std::string::npos);
+  stepBoth(20);
+}
+
+TEST_F(WrenchServices, ApplyRefusesWhatTheIntegratorDoesNotTake) {
+  GeneralMessage message = lasting("ball", "tug");
+  message.header.frame_id = "other";
+  EXPECT_NE(faultOf(message, "alone/alone").find("integrator must be"), std::string::npos);
+  message.header.frame_id = "ball";
+  EXPECT_EQ(faultOf(message, "alone/alone"), "");
+}
+
+TEST_F(WrenchServices, ClearEndsOneIdNowAndToCome) {
+  EXPECT_EQ(faultOf(lasting("box", "a")), "");
+  EXPECT_EQ(faultOf(lasting("box", "b")), "");
+  EXPECT_EQ(faultOf(lasting("canary", "a")), "");
+  GeneralMessage later = lasting("box", "a");
+  later.start = start + ros::Duration(0.1);
+  EXPECT_EQ(faultOf(later), "");
+  EXPECT_TRUE(clear("box", "a").success);
+  pushReference("box", "b");
+  pushReference("canary", "a");
+  stepBoth(20);
+}
+
+TEST_F(WrenchServices, ClearOfABodyEndsWhateverAppliedIt) {
+  ros::Publisher everyday = nh.advertise<geometry_msgs::WrenchStamped>("box/wrench", 100);
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return everyday.getNumSubscribers() > 0; }));
+  everyday.publish(everydayMessage("world"));
+  stepUntil("box", [&](ReferenceRun& run) {
+    run.pushAtCenterOfMass("w", "box", F, T, {run.time(), 0.5});
+  });
+  EXPECT_EQ(faultOf(lasting("box", "tug")), "");
+  EXPECT_EQ(faultOf(lasting("canary", "tug")), "");
+  EXPECT_EQ(clear("box", "").message, "ended: 2");
+  reference.clear("box");
+  pushReference("canary", "tug");
+  stepBoth(20);
+}
+
+TEST_F(WrenchServices, ClearOfNothingNamedEndsAll) {
+  EXPECT_EQ(faultOf(lasting("box", "a")), "");
+  EXPECT_EQ(faultOf(lasting("canary", "a")), "");
+  EXPECT_EQ(faultOf(lasting("canary", "b")), "");
+  EXPECT_EQ(clear("", "a").message, "ended: 2");
+  EXPECT_EQ(clear("", "").message, "ended: 1");
+  stepBoth(20);
+}
+
+TEST_F(WrenchServices, ClearRefusesAnUnknownBody) {
+  EXPECT_FALSE(clear("nobody", "").success);
+  EXPECT_EQ(clear("nobody", "").message, "unknown body 'nobody'");
+}
+
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "test_wrench_services");
+  ::testing::InitGoogleTest(&argc, argv);
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}
