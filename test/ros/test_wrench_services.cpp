@@ -11,7 +11,7 @@ namespace {
 constexpr double kLong = 100;  // [s] beyond the end of every test
 
 /// The fault; empty when taken.
-std::string faultOf(const GeneralMessage& wrench, const std::string& node = "rigid_body_node") {
+std::string faultOf(const AppliedWrench& wrench, const std::string& node = "rigid_body_node") {
   ApplyWrench call;
   call.request.wrench = wrench;
   if (!ros::service::waitForService(node + "/apply_wrench", 20000)) return "no service";
@@ -30,8 +30,8 @@ ClearWrenches::Response clear(const std::string& body, const std::string& id) {
 
 class WrenchServices : public Doors {
  protected:
-  GeneralMessage lasting(const std::string& body, const std::string& id) const {
-    GeneralMessage message = generalMessage();
+  AppliedWrench lasting(const std::string& body, const std::string& id) const {
+    AppliedWrench message = generalMessage();
     message.body = body;
     message.id = id;
     message.duration = ros::Duration(kLong);
@@ -46,7 +46,7 @@ class WrenchServices : public Doors {
 }  // namespace
 
 TEST_F(WrenchServices, ApplyActsFromTheNextStepAsTheTopicDoes) {
-  GeneralMessage message = generalMessage();
+  AppliedWrench message = generalMessage();
   message.duration = ros::Duration(0.20491);
   EXPECT_EQ(faultOf(message), "");
   reference.pushAtPoint("tug", "box", F, T, point, {reference.time(), 0.20491});
@@ -64,7 +64,7 @@ TEST_F(WrenchServices, ApplyActsFromTheNextStepAsTheTopicDoes) {
 TEST_F(WrenchServices, ApplyNamesTheRuleThatIsBrokenAndChangesNothing) {
   EXPECT_EQ(faultOf(lasting("box", "tug")), "");
   pushReference("box", "tug");
-  GeneralMessage message = lasting("box", "tug");
+  AppliedWrench message = lasting("box", "tug");
   message.header.frame_id = "nowhere";
   EXPECT_NE(faultOf(message).find("unknown frame 'nowhere'"), std::string::npos);
   message = lasting("nobody", "tug");
@@ -76,7 +76,7 @@ TEST_F(WrenchServices, ApplyNamesTheRuleThatIsBrokenAndChangesNothing) {
 }
 
 TEST_F(WrenchServices, ApplyRefusesWhatTheIntegratorDoesNotTake) {
-  GeneralMessage message = lasting("ball", "tug");
+  AppliedWrench message = lasting("ball", "tug");
   message.header.frame_id = "other";
   EXPECT_NE(faultOf(message, "alone/alone").find("integrator must be"), std::string::npos);
   message.header.frame_id = "ball";
@@ -87,7 +87,7 @@ TEST_F(WrenchServices, ClearEndsOneIdNowAndToCome) {
   EXPECT_EQ(faultOf(lasting("box", "a")), "");
   EXPECT_EQ(faultOf(lasting("box", "b")), "");
   EXPECT_EQ(faultOf(lasting("canary", "a")), "");
-  GeneralMessage later = lasting("box", "a");
+  AppliedWrench later = lasting("box", "a");
   later.start = start + ros::Duration(0.1);
   EXPECT_EQ(faultOf(later), "");
   EXPECT_TRUE(clear("box", "a").success);
