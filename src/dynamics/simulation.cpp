@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -16,11 +14,6 @@ std::string divergedMessage(double time, const std::string& body, const std::str
   message << "t = " << time << " s: body '" << body << "': " << quantity;
   return message.str();
 }
-
-/// Bounds on the work of each of auto's trial runs, in steps of one body: tenths of a second before
-/// the simulation starts, milliseconds once it runs.
-constexpr double kTrialAtStart = 3e5;
-constexpr double kTrialInTheRun = 3e3;
 
 /// The first quantity of a state that is not finite; null when all are.
 const char* nonFiniteQuantity(const BodyState& s) {
@@ -139,49 +132,6 @@ void Simulation::clearWrenches(std::size_t body, const std::string& slot) {
   schedules_[body].clear(slot);
   formGroups(kTrialInTheRun);
   coarse_.reset();
-}
-
-void Simulation::trackError() {
-  tracks_error_ = true;
-  if (steps_ % 2 == 0) startCoarse();
-}
-
-bool Simulation::allSolved() const {
-  return std::all_of(groups_.begin(), groups_.end(),
-                     [](const Group& group) { return group.choice().method == nullptr; });
-}
-
-/// Sets the second run off from the present state, at a step of even count.
-void Simulation::startCoarse() {
-  if (allSolved()) return;
-  World world = *world_;
-  world.solver.time_step *= 2;
-  coarse_ = std::make_shared<Simulation>(*this);
-  coarse_->world_ = std::make_shared<const World>(std::move(world));
-  coarse_->tracks_error_ = false;
-  coarse_->most_turn_share_ = 2;  // so that its parts, too, are twice as long
-  coarse_->coarse_.reset();
-  coarse_->steps_ = steps_ / 2;
-  coarse_->formGroups(kTrialInTheRun);
-}
-
-void Simulation::followCoarse() {
-  if (!coarse_) return startCoarse();
-  try {
-    while (2 * coarse_->steps_ < steps_) coarse_->step();
-  } catch (const SimulationDiverged&) {
-    error_.attitude = error_.position = std::numeric_limits<double>::infinity();
-    return;
-  }
-  for (const Group& group : groups_) {
-    if (!group.choice().method) continue;
-    const double ratio = std::exp2(group.choice().method->order) - 1;
-    for (std::size_t body : group.members()) {
-      const BodyState &fine = state_.bodies[body], &coarse = coarse_->state_.bodies[body];
-      error_.attitude = std::max(error_.attitude, angleBetween(fine.q_WP, coarse.q_WP) / ratio);
-      error_.position = std::max(error_.position, (fine.x_W - coarse.x_W).norm() / ratio);
-    }
-  }
 }
 
 int Simulation::mostParts() const {

@@ -87,6 +87,11 @@ class Simulation {
   void reset(bool restart_time);
 
  private:
+  // Bounds on the work of each of auto's trial runs, in steps of one body: tenths of a second
+  // before the simulation starts, milliseconds once it runs.
+  static constexpr double kTrialAtStart = 3e5;
+  static constexpr double kTrialInTheRun = 3e3;
+
   void formGroups(double most_trial_steps);
   MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
   bool allSolved() const;

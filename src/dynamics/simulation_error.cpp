@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+/// The run at twice the step that tells the error of a simulation.
+namespace rigid_body_sim {
+
+void Simulation::trackError() {
+  tracks_error_ = true;
+  if (steps_ % 2 == 0) startCoarse();
+}
+
+bool Simulation::allSolved() const {
+  return std::all_of(groups_.begin(), groups_.end(),
+                     [](const Group& group) { return group.choice().method == nullptr; });
+}
+
+/// Sets the second run off from the present state, at a step of even count.
+void Simulation::startCoarse() {
+  if (allSolved()) return;
+  World world = *world_;
+  world.solver.time_step *= 2;
+  coarse_ = std::make_shared<Simulation>(*this);
+  coarse_->world_ = std::make_shared<const World>(std::move(world));
+  coarse_->tracks_error_ = false;
+  coarse_->most_turn_share_ = 2;  // so that its parts, too, are twice as long
+  coarse_->coarse_.reset();
+  coarse_->steps_ = steps_ / 2;
+  coarse_->formGroups(kTrialInTheRun);
+}
+
+void Simulation::followCoarse() {
+  if (!coarse_) return startCoarse();
+  try {
+    while (2 * coarse_->steps_ < steps_) coarse_->step();
+  } catch (const SimulationDiverged&) {
+    error_.attitude = error_.position = std::numeric_limits<double>::infinity();
+    return;
+  }
+  for (const Group& group : groups_) {
+    if (!group.choice().method) continue;
+    const double ratio = std::exp2(group.choice().method->order) - 1;
+    for (std::size_t body : group.members()) {
+      const BodyState &fine = state_.bodies[body], &coarse = coarse_->state_.bodies[body];
+      error_.attitude = std::max(error_.attitude, angleBetween(fine.q_WP, coarse.q_WP) / ratio);
+      error_.position = std::max(error_.position, (fine.x_W - coarse.x_W).norm() / ratio);
+    }
+  }
+}
+
+}  // namespace rigid_body_sim
