@@ -1,3 +1,4 @@
+#include <cassert>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -46,7 +47,11 @@ std::vector<std::vector<std::size_t>> linkedBodies(
 std::vector<CoupledBodies> coupledBodies(const World& world,
                                          const std::vector<WrenchSchedule>& schedules) {
   std::vector<std::vector<std::size_t>> bonds;
-  for (const auto& law : world.laws) bonds.push_back(law->members());
+  for (const auto& law : world.laws) {
+    bonds.push_back(law->members());
+    assert(!bonds.back().empty());
+    for ([[maybe_unused]] std::size_t body : bonds.back()) assert(!world.bodies[body].fixed);
+  }
   for (const WrenchSchedule& schedule : schedules) bonds.push_back(schedule.bodies());
   std::vector<CoupledBodies> groups;
   std::vector<std::size_t> group_of(world.bodies.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
 namespace rigid_body_sim {
@@ -55,7 +56,9 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
           [this](const std::string& body, const std::string& slot) { return clear(body, slot); }),
       pause_service_(private_nh_.advertiseService("pause", &SimulationNode::pause, this)),
       step_service_(private_nh_.advertiseService("step", &SimulationNode::stepPaused, this)),
-      reset_service_(private_nh_.advertiseService("reset", &SimulationNode::reset, this)) {}
+      reset_service_(private_nh_.advertiseService("reset", &SimulationNode::reset, this)) {
+  for (const std::string& line : describeSolution(simulation_)) ROS_INFO("%s", line.c_str());
+}
 
 void SimulationNode::run() {
   pacer_.restart(simulation_.time(), Pacer::Clock::now());
