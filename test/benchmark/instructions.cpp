@@ -30,7 +30,7 @@ Bench freeBodies(std::size_t count) {
 Bench leveredBody() {
   Bench bench = freeBodies(1);
   bench.world.g_W = {0, 0, -9.81};
-  AppliedWrench push;
+  PointWrench push;
   push.force = {1, 2, 3};
   push.point = {0.1, 0.2, 0.3};
   bench.world.wrenches.push_back(push);
