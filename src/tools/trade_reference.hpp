@@ -19,8 +19,8 @@ struct Reference {
 /// The motion over a duration [s]. Where nothing acts but gravity: the exact rotation in long
 /// double, checked by Taylor series. Where nothing couples the bodies and nothing resists them:
 /// Taylor series in long double, checked by dop853. Else dop853, checked by kahan_li8 or, where
-/// there is drag or damping, by rk4. A row is taken in shorter and shorter steps until it gains no more.
-/// Throws SimulationDiverged where none of the steps goes through, and StepTooLong.
+/// there is drag or damping, by rk4. A row is taken in shorter and shorter steps until it gains no
+/// more. Throws SimulationDiverged where none of the steps goes through, and StepTooLong.
 Reference computeReference(const World& world, const State& initial, double duration);
 
 }  // namespace rigid_body_sim
