@@ -84,6 +84,16 @@ target_compile_definitions(test_tools PRIVATE
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
 add_dependencies(test_tools mass_properties simulate)
 
+rigid_body_gtest(test_trade
+  SOURCES
+    test/tools/test_trade_measures.cpp
+    test/tools/test_trade_program.cpp
+  LIBRARIES rigid_body_trade)
+target_compile_definitions(test_trade PRIVATE
+  RIGID_BODY_SIM_TRADE="$<TARGET_FILE:trade>"
+  RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
+add_dependencies(test_trade trade)
+
 # rostests: the node in a process of its own, driven through its topics and services.
 find_package(rostest REQUIRED)
 find_package(roslaunch REQUIRED)

@@ -9,9 +9,10 @@ namespace rigid_body_sim {
 namespace {
 
 std::optional<Setting> tryMeasuring(const World& world, const Reference& reference,
-                                    const std::string& integrator, double time_step) {
+                                    const std::string& integrator, double time_step,
+                                    const Patience& patience) {
   try {
-    return measureSetting(world, reference, integrator, time_step);
+    return measureSetting(world, reference, integrator, time_step, patience);
   } catch (const SimulationDiverged&) {
     return std::nullopt;
   }
@@ -36,21 +37,21 @@ std::vector<std::string> integratorsFor(const World& world, const State& initial
 }
 
 void climbLadder(const World& world, const Reference& reference, const std::string& integrator,
-                 const std::function<void(const Setting&)>& measured) {
+                 const std::function<void(const Setting&)>& measured, const Patience& patience) {
   constexpr int kMostHalvings = 24, kMostDoublings = 10;
-  constexpr double kFewestSteps = 8;    // that the duration is to be taken in
-  constexpr double kLost = 1;           // [rad, relative] beyond it, the error says no more
-  constexpr double kLongestRun = 0.15;  // [s] of one run, with shorter steps than the scene's
+  constexpr double kFewestSteps = 8;  // that the duration is to be taken in
+  constexpr double kLost = 1;         // [rad, relative] beyond it, the error says no more
   const double h = world.solver.time_step;
-  std::optional<Setting> setting = tryMeasuring(world, reference, integrator, h);
+  std::optional<Setting> setting = tryMeasuring(world, reference, integrator, h, patience);
   if (setting) measured(*setting);
   const bool lost = !setting || setting->errors.bounded() > kLost || setting->parted;
 
   double step = h / 2;
   double last_error = setting ? setting->errors.bounded() : 1;
   for (int k = 0; k < kMostHalvings; ++k, step /= 2) {
-    if (setting && 2e-9 * setting->cpu_ns_per_sim_s * reference.duration > kLongestRun) break;
-    setting = tryMeasuring(world, reference, integrator, step);
+    if (setting && 2e-9 * setting->cpu_ns_per_sim_s * reference.duration > patience.longest_run)
+      break;
+    setting = tryMeasuring(world, reference, integrator, step, patience);
     if (!setting) continue;
     measured(*setting);
     const double error = setting->errors.bounded();
@@ -61,7 +62,7 @@ void climbLadder(const World& world, const Reference& reference, const std::stri
   step = 2 * h;
   for (int k = 0; !lost && k < kMostDoublings; ++k, step *= 2) {
     if (step > reference.duration / kFewestSteps) break;
-    setting = tryMeasuring(world, reference, integrator, step);
+    setting = tryMeasuring(world, reference, integrator, step, patience);
     if (!setting) break;
     measured(*setting);
     if (setting->errors.bounded() > kLost || setting->parted) break;

@@ -15,6 +15,7 @@ std::vector<std::string> integratorsFor(const World& world, const State& initial
 /// or the integrator divides the steps itself, and halved until rounding or patience ends it.
 /// measured is called with each setting as soon as it is known.
 void climbLadder(const World& world, const Reference& reference, const std::string& integrator,
-                 const std::function<void(const Setting&)>& measured);
+                 const std::function<void(const Setting&)>& measured,
+                 const Patience& patience = {});
 
 }  // namespace rigid_body_sim

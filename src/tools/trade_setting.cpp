@@ -11,8 +11,7 @@
 namespace rigid_body_sim {
 
 Setting measureSetting(const World& world, const Reference& reference,
-                       const std::string& integrator, double time_step) {
-  constexpr double kTimingBudget = 0.04;  // [s] a hundred runs of most settings
+                       const std::string& integrator, double time_step, const Patience& patience) {
   World copy = world;
   copy.solver.integrator = integrator;
   copy.solver.time_step = time_step;
@@ -36,7 +35,7 @@ Setting measureSetting(const World& world, const Reference& reference,
     setting.force_evaluations = simulation.evaluations();
   };
   setting.cpu_ns_per_sim_s =
-      1e9 * leastCpuTime(start, run, kTimingBudget) / (static_cast<double>(steps) * time_step);
+      1e9 * leastCpuTime(start, run, patience.timing) / (static_cast<double>(steps) * time_step);
   return setting;
 }
 

@@ -18,12 +18,18 @@ struct Setting {
   bool parted = false;                 ///< whether steps had to be taken in parts
 };
 
+/// How much processor time may be spent.
+struct Patience {
+  double timing = 0.04;       ///< [s] on timing a setting: a hundred runs of most
+  double longest_run = 0.15;  ///< [s] on one run, with shorter steps than the scene's
+};
+
 /// Runs a scene with an integrator and a step over the duration of the reference, once for the
 /// errors and several times for the processor time, from the same state. What is done before the
 /// first step, as by auto, is not timed. Throws std::invalid_argument where the integrator refuses
 /// the scene, and SimulationDiverged.
 Setting measureSetting(const World& world, const Reference& reference,
-                       const std::string& integrator, double time_step);
+                       const std::string& integrator, double time_step, const Patience& patience);
 
 /// The greatest error that can be told apart from the reference's own.
 double resolvedError(const Setting& setting, const Reference& reference);

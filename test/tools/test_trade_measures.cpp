@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <tools/state_at.hpp>
+#include <tools/trade_ladder.hpp>
+
+#include "support/trade_worlds.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using test::Bench;
+using test::SpringWorld;
+
+constexpr Patience kHasty{0.0005, 0.003};
+
+/// The symmetric top turns about L at |L|/I₁ and about its own axis at ω₃ (1 − I₃/I₁).
+Quaterniond topAttitude(const BodyState& start, const Vector3d& I, double t) {
+  const double spin = start.L_P[2] / I[2] * (1 - I[2] / I[0]) * t;
+  const Vector3d L_W = rotate(start.q_WP, start.L_P);
+  return Eigen::AngleAxisd(L_W.norm() / I[0] * t, L_W.normalized()) * start.q_WP *
+         Eigen::AngleAxisd(spin, Vector3d::UnitZ());
+}
+
+void expectWithinAFactorOfTwo(double reported, double truth, const std::string& what) {
+  constexpr double kFloor = 1e-12;  // below it, rounding of the closed forms themselves counts
+  if (reported < kFloor && truth < kFloor) return;
+  EXPECT_LE(reported, 2 * truth) << what;
+  EXPECT_GE(reported, 0.5 * truth) << what;
+}
+
+/// Compares, for every row, what is reported with the closed form truth(state): the greatest over
+/// the instants of the reference.
+template <class Truth, class Reported>
+void expectTruth(const Bench& bench, double duration, double step, const Truth& truth,
+                 const Reported& reported) {
+  const Reference reference = computeReference(bench.world, bench.initial, duration);
+  for (const std::string& row : integratorsFor(bench.world, bench.initial)) {
+    const Setting setting = measureSetting(bench.world, reference, row, step, kHasty);
+    Simulation simulation = bench.simulation(row, step);
+    double worst = 0;
+    for (std::size_t k = 1; k < reference.states.size(); ++k)
+      worst = std::max(worst, truth(stateAt(simulation, reference.states[k].t)));
+    expectWithinAFactorOfTwo(reported(setting.errors), worst, row);
+  }
+}
+
+/// Every row that takes the world, over its ladder.
+std::vector<Setting> ladders(const SpringWorld& world, const Reference& reference) {
+  std::vector<Setting> settings;
+  for (const std::string& row : integratorsFor(world.bench.world, world.bench.initial))
+    if (row != "auto")
+      climbLadder(
+          world.bench.world, reference, row, [&](const Setting& s) { settings.push_back(s); },
+          kHasty);
+  return settings;
+}
+
+/// In the unit of Method::cost.
+double countedCost(const Method& row, std::int64_t evaluations) {
+  return row.cost * static_cast<double>(evaluations) / row.evaluations;
+}
+
+}  // namespace
+
+TEST(Trade, ReportsTheAttitudeErrorOfASymmetricTop) {
+  Bench bench;
+  bench.add(test::principalBody("top", 1, {1, 1, 1.5}), test::tumbling({1, 0, 0}, {0.6, 0, 2}));
+  const BodyState start = bench.initial.bodies[0];
+  const Vector3d I = bench.world.bodies[0].I;
+  for (double step : {0.2, 0.02})
+    expectTruth(
+        bench, 4, step,
+        [&](const State& s) { return angleBetween(s.bodies[0].q_WP, topAttitude(start, I, s.t)); },
+        [](const Errors& e) { return e.attitude; });
+}
+
+TEST(Trade, ReportsThePositionErrorOfAHarmonicSpring) {
+  // tied at the centre of mass, without rest length: x = x₀ cos Ωt + v₀/Ω sin Ωt, on an ellipse
+  Bench bench;
+  bench.add(test::principalBody("ball", 2, {1, 2, 2.5}), test::tumbling({0, 3, 0}, {0.1, 1, 0.2}));
+  bench.initial.bodies[0].x_W = {1, 0, 0};
+  bench.world.laws = {std::make_shared<Spring>(Spring::End{0, Vector3d::Zero()}, Spring::End(),
+                                               Spring::Constants{18, 0, 0})};
+  const auto at = [](double t) -> Vector3d { return {std::cos(3 * t), std::sin(3 * t), 0}; };
+  for (double step : {0.1, 0.01})
+    expectTruth(
+        bench, 4, step,
+        // on the unit circle at 3 m/s, the path is 3 t
+        [&](const State& s) { return (s.bodies[0].x_W - at(s.t)).norm() / (3 * s.t); },
+        [](const Errors& e) { return e.position; });
+}
+
+TEST(Trade, KnowsHowGoodItsReferenceIs) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const SpringWorld world = test::randomWorld(seed);
+    constexpr double kDuration = 2;
+    const Reference reference = computeReference(world.bench.world, world.bench.initial, kDuration);
+    const test::MotionErrors errors =
+        test::motionErrors(reference.states.back(), test::referenceRun(world, kDuration));
+    EXPECT_LE(errors.attitude, std::max(2 * reference.doubt.attitude, 1e-15)) << seed;
+    EXPECT_LT(reference.doubt.bounded(), 1e-11) << seed;
+  }
+}
+
+TEST(Trade, RecommendsSettingsThatMeetTheBudget) {
+  constexpr double kDuration = 2;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SpringWorld world = test::randomWorld(seed);
+    world.bench.world.solver = {"auto", 0.01, 1e-9, kDuration};
+    const Reference reference = computeReference(world.bench.world, world.bench.initial, kDuration);
+    const std::vector<Setting> settings = ladders(world, reference);
+    const reference::Motions truth = test::referenceRun(world, kDuration);
+    for (double budget : {1e-3, 1e-6, 1e-9}) {
+      const Setting* best = cheapestWithin(settings, reference, budget);
+      ASSERT_NE(best, nullptr) << seed << ' ' << budget;
+      Simulation simulation = world.bench.simulation(best->integrator, best->time_step);
+      const double error = test::motionErrors(stateAt(simulation, kDuration), truth).attitude;
+      EXPECT_LE(error, budget) << seed << ' ' << best->integrator << ' ' << best->time_step;
+    }
+  }
+}
+
+TEST(Trade, FindsThatAutoHoldsItsToleranceAtTwiceTheLeastCost) {
+  constexpr double kDuration = 2, kStep = 0.01;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    SpringWorld world = test::randomWorld(seed);
+    world.bench.world.solver = {"auto", kStep, 1e-9, kDuration};
+    const reference::Motions truth = test::referenceRun(world, kDuration);
+    const Reference reference = computeReference(world.bench.world, world.bench.initial, kDuration);
+    const std::vector<Setting> settings = ladders(world, reference);
+    for (double tolerance : {1e-3, 1e-6, 1e-9}) {
+      world.bench.world.solver.tolerance = tolerance;
+      Simulation simulation = world.bench.simulation("auto", kStep);
+      const double error = test::motionErrors(stateAt(simulation, kDuration), truth).attitude;
+      EXPECT_LE(error, tolerance) << seed;
+
+      const Method* row = simulation.groups()[0].choice().method;
+      if (!row) continue;  // solved: the cost of a step is none of the catalogue's
+      double least = std::numeric_limits<double>::infinity();
+      for (const Setting& s : settings)
+        if (s.time_step <= kStep && s.errors.bounded() <= tolerance)
+          least = std::min(least, countedCost(methodNamed(s.integrator), s.force_evaluations));
+      EXPECT_LE(countedCost(*row, simulation.evaluations()), 2 * least)
+          << seed << ' ' << tolerance << ' ' << row->name;
+    }
+  }
+}
+
+}  // namespace rigid_body_sim

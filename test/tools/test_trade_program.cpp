@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace rigid_body_sim {
+namespace {
+
+const std::string kProgram = RIGID_BODY_SIM_TRADE;
+const std::string kScene = std::string(RIGID_BODY_SIM_SCENES) + "/boxes_simple.yaml";
+const std::string kHeader =
+    "integrator,time_step,attitude_error,position_error,energy_error,angular_momentum_error,"
+    "cpu_ns_per_sim_s,force_evaluations";
+
+struct Outcome {
+  int exit_code;
+  std::string out;
+};
+
+/// Runs `trade` with the arguments, one string as a shell takes it.
+Outcome trade(const std::string& arguments, const std::string& environment = "") {
+  std::FILE* pipe = popen((environment + " " + kProgram + " " + arguments).c_str(), "r");
+  Outcome outcome{-1, ""};
+  char buffer[4096];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+    outcome.out.append(buffer, n);
+  outcome.exit_code = WEXITSTATUS(pclose(pipe));
+  return outcome;
+}
+
+std::string newDirectory() {
+  std::string name = ::testing::TempDir() + "tradeXXXXXX";
+  if (!mkdtemp(name.data())) throw std::runtime_error("no directory for the test");
+  return name;
+}
+
+std::vector<std::string> fileLines(const std::string& path) {
+  std::vector<std::string> all;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) all.push_back(line);
+  return all;
+}
+
+/// The name, then seven numbers, none of them negative.
+void expectRow(const std::string& row) {
+  std::istringstream stream(row);
+  std::string field;
+  ASSERT_TRUE(std::getline(stream, field, ',')) << row;
+  int numbers = 0;
+  for (; std::getline(stream, field, ','); ++numbers) {
+    char* end = nullptr;
+    EXPECT_GE(std::strtod(field.c_str(), &end), 0) << row;
+    EXPECT_EQ(*end, '\0') << row;
+  }
+  EXPECT_EQ(numbers, 7) << row;
+}
+
+}  // namespace
+
+TEST(TradeProgram, WritesEveryRowAndTheCheapestSetting) {
+  const std::string out = newDirectory() + "/made/here";
+  const Outcome run = trade(kScene + " --duration 0.1 --error-budget 1e-6 --out " + out);
+  EXPECT_EQ(run.exit_code, 0);
+  const std::vector<std::string> rows = fileLines(out + "/trade.csv");
+  ASSERT_GT(rows.size(), 9U);
+  EXPECT_EQ(rows[0], kHeader);
+  for (std::size_t i = 1; i < rows.size(); ++i) expectRow(rows[i]);
+  for (const char* name :
+       {"semi_implicit_euler", "strang", "magnus4", "rk4", "kahan_li8", "dop853", "taylor", "auto"})
+    EXPECT_NE(run.out.find(name), std::string::npos) << name;
+  EXPECT_NE(run.out.find("\nintegrator: "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\ntime_step: "), std::string::npos) << run.out;
+  if (std::system("command -v gnuplot >/dev/null") == 0) {
+    const std::vector<std::string> plot = fileLines(out + "/trade.svg");
+    EXPECT_NE(std::find(plot.begin(), plot.end(), "</svg>"), plot.end());
+  }
+}
+
+TEST(TradeProgram, SaysThatThePlotIsMissingWithoutGnuplot) {
+  const std::string out = newDirectory();
+  const Outcome run = trade(kScene + " --duration 0.1 --out " + out, "PATH=/nonexistent");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.out.find("gnuplot is not installed"), std::string::npos) << run.out;
+  EXPECT_GT(fileLines(out + "/trade.csv").size(), 9U);
+}
+
+TEST(TradeProgram, LeavesAValidFileWhenInterrupted) {
+  const std::string csv_path = newDirectory() + "/trade.csv";
+  const std::string directory = csv_path.substr(0, csv_path.rfind('/'));
+  const pid_t child = fork();
+  if (child == 0) {
+    close(STDERR_FILENO);
+    execl(kProgram.c_str(), "trade", kScene.c_str(), "--out", directory.c_str(), nullptr);
+    _exit(127);
+  }
+  while (fileLines(csv_path).size() < 4 && waitpid(child, nullptr, WNOHANG) == 0) {
+  }
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  const std::vector<std::string> rows = fileLines(csv_path);
+  ASSERT_GE(rows.size(), 4U);
+  EXPECT_EQ(rows[0], kHeader);
+  for (std::size_t i = 1; i < rows.size(); ++i) expectRow(rows[i]);
+}
+
+TEST(TradeProgram, ExitsWithOneForBadInput) {
+  const Outcome absent = trade("absent.yaml 2>&1");
+  EXPECT_EQ(absent.exit_code, 1);
+  EXPECT_NE(absent.out.find("absent.yaml"), std::string::npos);
+  EXPECT_EQ(trade(kScene + " --out /dev/null/here 2>&1").exit_code, 1);
+}
+
+TEST(TradeProgram, ExitsWithTwoForWrongUsage) {
+  for (const char* arguments : {"", "a.yaml b.yaml", "a.yaml --no-such-option", "a.yaml --out",
+                                "a.yaml --duration 1x", "a.yaml --error-budget 0"})
+    EXPECT_EQ(trade(std::string(arguments) + " 2>&1").exit_code, 2) << arguments;
+}
+
+TEST(TradeProgram, ExitsWithThreeWhenTheReferenceDiverges) {
+  const std::string path = newDirectory() + "/scene.yaml";
+  std::ofstream(path) << R"(
+time_step: 1.0
+bodies: [{name: rocket, shape: {sphere: {radius: 1}}, mass: 1.0e-300}]
+wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}]
+)";
+  const Outcome run = trade(path + " --out " + newDirectory() + " 2>&1");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.out.find("body 'rocket'"), std::string::npos) << run.out;
+}
+
+TEST(TradeProgram, HelpsOnRequest) {
+  const Outcome run = trade("--help");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.out.find("usage: trade SCENE"), std::string::npos);
+}
+
+}  // namespace rigid_body_sim
