@@ -4,6 +4,8 @@
 
 #include <rigid_body_sim/scene/build_world.hpp>
 
+#include "state_requests.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -53,9 +55,11 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
           nh_, private_nh_, movingBodies(simulation_.world()), origin_,
           [this](const WrenchRequest& request) { return take(request); },
           [this](const std::string& body, const std::string& slot) { return clear(body, slot); }),
-      pause_service_(private_nh_.advertiseService("pause", &SimulationNode::pause, this)),
-      step_service_(private_nh_.advertiseService("step", &SimulationNode::stepPaused, this)),
-      reset_service_(private_nh_.advertiseService("reset", &SimulationNode::reset, this)) {}
+      services_{private_nh_.advertiseService("pause", &SimulationNode::pause, this),
+                private_nh_.advertiseService("step", &SimulationNode::stepPaused, this),
+                private_nh_.advertiseService("reset", &SimulationNode::reset, this),
+                private_nh_.advertiseService("set_state", &SimulationNode::setState, this),
+                private_nh_.advertiseService("get_state", &SimulationNode::getState, this)} {}
 
 void SimulationNode::run() {
   pacer_.restart(simulation_.time(), Pacer::Clock::now());
@@ -158,6 +162,20 @@ bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
   response.success = true;
   response.message =
       options_.reset_time ? "initial states, time at the start" : "initial states, time runs on";
+  return true;
+}
+
+bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {
+  const RequestedState requested = takeState(request, simulation_.world(), rules_.world_frame);
+  if (requested.fault.empty()) simulation_.setState(requested.body, requested.state);
+  response.success = requested.fault.empty();
+  response.message = requested.fault;
+  return true;
+}
+
+bool SimulationNode::getState(GetState::Request& request, GetState::Response& response) {
+  response = tellState(request, simulation_.world(), simulation_.state(), rules_.world_frame);
+  response.stamp = origin_.stamp(simulation_.time());
   return true;
 }
 

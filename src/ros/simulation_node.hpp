@@ -7,6 +7,8 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <rigid_body_sim/GetState.h>
+#include <rigid_body_sim/SetState.h>
 #include <rigid_body_sim/Step.h>
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
@@ -39,6 +41,8 @@ class SimulationNode {
   bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool stepPaused(Step::Request& request, Step::Response& response);
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool setState(SetState::Request& request, SetState::Response& response);
+  bool getState(GetState::Request& request, GetState::Response& response);
 
   NodeOptions options_;
   Simulation simulation_;
@@ -54,9 +58,7 @@ class SimulationNode {
   ros::NodeHandle private_nh_;
   Outputs outputs_;
   WrenchDoors doors_;
-  ros::ServiceServer pause_service_;
-  ros::ServiceServer step_service_;
-  ros::ServiceServer reset_service_;
+  std::vector<ros::ServiceServer> services_;
 };
 
 }  // namespace rigid_body_sim
