@@ -77,8 +77,9 @@ void SimulationNode::serveUntilDue() {
     queue_.callAvailable(ros::WallDuration(kLongestWait));
     return;
   }
-  const double t_next = simulation_.time() + simulation_.world().solver.time_step;
   while (!paused_ && ros::ok()) {
+    // anew each time: a callback may have set time back
+    const double t_next = simulation_.time() + simulation_.world().solver.time_step;
     const double wait = pacer_.wait(t_next, Pacer::Clock::now());
     if (wait <= 0) return;
     queue_.callAvailable(ros::WallDuration(std::min(wait, kLongestWait)));
