@@ -13,6 +13,7 @@
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
 
+#include "monitor.hpp"
 #include "node_options.hpp"
 #include "outputs.hpp"
 #include "pacer.hpp"
@@ -34,7 +35,11 @@ class SimulationNode {
 
  private:
   void serveUntilDue();
+  void serve(double seconds);
   void step();
+  void advance();
+  void report();
+  void restartClocks();
   std::string take(const WrenchRequest& request);
   WrenchDoors::Cleared clear(const std::string& body, const std::string& slot);
 
@@ -52,11 +57,13 @@ class SimulationNode {
   Pacer pacer_;
   Refusals refusals_;
   bool paused_;
+  std::string divergence_;  // that the simulation waits after, paused; empty: none
 
   ros::CallbackQueue queue_;
   ros::NodeHandle nh_;
   ros::NodeHandle private_nh_;
   Outputs outputs_;
+  Monitor monitor_;
   WrenchDoors doors_;
   std::vector<ros::ServiceServer> services_;
 };
