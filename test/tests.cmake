@@ -68,6 +68,8 @@ rigid_body_gtest(test_node
     test/ros/test_markers.cpp
     test/ros/test_node_options.cpp
     test/ros/test_pacing.cpp
+    test/ros/test_state_requests.cpp
+    test/ros/test_status.cpp
     test/ros/test_wrench_intake.cpp
     test/ros/test_wrench_messages.cpp
   LIBRARIES rigid_body_sim_ros)
@@ -108,7 +110,9 @@ endfunction()
 set(driver test/ros/node_driver.cpp test/ros/reference_run.cpp)
 rigid_body_rostest(clock ${driver})
 rigid_body_rostest(doors ${driver})
+rigid_body_rostest(monitor ${driver})
 rigid_body_rostest(process)
+rigid_body_rostest(reset ${driver})
 rigid_body_rostest(services ${driver})
 rigid_body_rostest(state_topics ${driver})
 rigid_body_rostest(wrench_services ${driver})

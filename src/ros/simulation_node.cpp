@@ -5,16 +5,23 @@
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
+#include "state_requests.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
 /// Longest wait for a callback [s]: how soon a shutdown is seen.
 constexpr double kLongestWait = 0.05;
 
+/// Given to roscpp [s] to write the last diagnostics: a shutdown drops what is not written yet.
+constexpr double kTimeToWrite = 0.2;
+
 Simulation makeSimulation(const Scene& scene) {
   World world = buildWorld(scene);
   State initial = initialState(scene, world);
-  return Simulation(std::move(world), std::move(initial));
+  Simulation simulation(std::move(world), std::move(initial));
+  if (simulation.world().solver.integrator == "auto") simulation.trackError();
+  return simulation;
 }
 
 ros::NodeHandle onQueue(const std::string& name_space, ros::CallbackQueue& queue) {
@@ -50,18 +57,21 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       nh_(onQueue("", queue_)),
       private_nh_(onQueue("~", queue_)),
       outputs_(nh_, private_nh_, options, scene, simulation_, origin_),
+      monitor_(nh_, private_nh_, scene.world_frame, origin_),
       doors_(
           nh_, private_nh_, movingBodies(simulation_.world()), origin_,
           [this](const WrenchRequest& request) { return take(request); },
           [this](const std::string& body, const std::string& slot) { return clear(body, slot); }),
-      pause_service_(private_nh_.advertiseService("pause", &SimulationNode::pause, this)),
-      step_service_(private_nh_.advertiseService("step", &SimulationNode::stepPaused, this)),
-      reset_service_(private_nh_.advertiseService("reset", &SimulationNode::reset, this)) {
+      services_{private_nh_.advertiseService("pause", &SimulationNode::pause, this),
+                private_nh_.advertiseService("step", &SimulationNode::stepPaused, this),
+                private_nh_.advertiseService("reset", &SimulationNode::reset, this),
+                private_nh_.advertiseService("set_state", &SimulationNode::setState, this),
+                private_nh_.advertiseService("get_state", &SimulationNode::getState, this)} {
   for (const std::string& line : describeSolution(simulation_)) ROS_INFO("%s", line.c_str());
 }
 
 void SimulationNode::run() {
-  pacer_.restart(simulation_.time(), Pacer::Clock::now());
+  restartClocks();
   if (!paused_) outputs_.publishDue();
   while (ros::ok()) {
     serveUntilDue();
@@ -71,23 +81,59 @@ void SimulationNode::run() {
 
 /// Serves callbacks until the next step is due; while paused, for a moment.
 void SimulationNode::serveUntilDue() {
-  queue_.callAvailable();
-  if (paused_) {
-    queue_.callAvailable(ros::WallDuration(kLongestWait));
-    return;
-  }
-  const double t_next = simulation_.time() + simulation_.world().solver.time_step;
+  serve(0);
+  if (paused_) return serve(kLongestWait);
   while (!paused_ && ros::ok()) {
+    // anew each time: a callback may have set time back
+    const double t_next = simulation_.time() + simulation_.world().solver.time_step;
     const double wait = pacer_.wait(t_next, Pacer::Clock::now());
     if (wait <= 0) return;
-    queue_.callAvailable(ros::WallDuration(std::min(wait, kLongestWait)));
+    serve(std::min(wait, kLongestWait));
   }
+}
+
+/// Waits for a callback for that long at most, serves all there are, and reports when that is due.
+void SimulationNode::serve(double seconds) {
+  queue_.callAvailable(ros::WallDuration(seconds));
+  if (monitor_.isDue(Monitor::Clock::now())) report();
+}
+
+void SimulationNode::report() {
+  RunFigures figures;
+  figures.overruns = pacer_.overruns();
+  figures.refused = refusals_.count();
+  figures.paused = paused_;
+  figures.divergence = divergence_;
+  monitor_.report(simulation_, figures, Monitor::Clock::now());
+}
+
+/// Ties the wall to simulation time as it is now.
+void SimulationNode::restartClocks() {
+  pacer_.restart(simulation_.time(), Pacer::Clock::now());
+  monitor_.restart(simulation_.time(), Monitor::Clock::now());
 }
 
 void SimulationNode::step() {
   const double h = simulation_.world().solver.time_step;
   pacer_.begin(simulation_.time() + h, h, Pacer::Clock::now());
-  simulation_.step();
+  try {
+    advance();
+  } catch (const SimulationDiverged&) {
+    ros::WallDuration(kTimeToWrite).sleep();
+    throw;
+  }
+}
+
+/// One step and what it has to tell. Reports a divergence before it throws it on.
+void SimulationNode::advance() {
+  try {
+    simulation_.step();
+  } catch (const SimulationDiverged& error) {
+    divergence_ = error.what();
+    report();
+    throw;
+  }
+  divergence_.clear();
   outputs_.publishDue();
 }
 
@@ -138,8 +184,7 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
   if (!paused_) response.message = "not paused: step moves a paused simulation only";
   try {
     for (std::uint32_t i = 0; response.success && i < request.steps; ++i) {
-      simulation_.step();
-      outputs_.publishDue();
+      advance();
       response.success = ros::ok();
     }
     if (response.success && request.steps > 0) outputs_.publishNow();
@@ -157,10 +202,25 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
 bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   simulation_.reset(options_.reset_time);
   if (options_.reset_time) outputs_.restart();
-  pacer_.restart(simulation_.time(), Pacer::Clock::now());
+  divergence_.clear();
+  restartClocks();
   response.success = true;
   response.message =
       options_.reset_time ? "initial states, time at the start" : "initial states, time runs on";
+  return true;
+}
+
+bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {
+  const RequestedState requested = takeState(request, simulation_.world(), rules_.world_frame);
+  if (requested.fault.empty()) simulation_.setState(requested.body, requested.state);
+  response.success = requested.fault.empty();
+  response.message = requested.fault;
+  return true;
+}
+
+bool SimulationNode::getState(GetState::Request& request, GetState::Response& response) {
+  response = tellState(request, simulation_.world(), simulation_.state(), rules_.world_frame);
+  response.stamp = origin_.stamp(simulation_.time());
   return true;
 }
 

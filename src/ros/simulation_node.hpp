@@ -7,10 +7,13 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <rigid_body_sim/GetState.h>
+#include <rigid_body_sim/SetState.h>
 #include <rigid_body_sim/Step.h>
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
 
+#include "monitor.hpp"
 #include "node_options.hpp"
 #include "outputs.hpp"
 #include "pacer.hpp"
@@ -32,13 +35,19 @@ class SimulationNode {
 
  private:
   void serveUntilDue();
+  void serve(double seconds);
   void step();
+  void advance();
+  void report();
+  void restartClocks();
   std::string take(const WrenchRequest& request);
   WrenchDoors::Cleared clear(const std::string& body, const std::string& slot);
 
   bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool stepPaused(Step::Request& request, Step::Response& response);
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool setState(SetState::Request& request, SetState::Response& response);
+  bool getState(GetState::Request& request, GetState::Response& response);
 
   NodeOptions options_;
   Simulation simulation_;
@@ -48,15 +57,15 @@ class SimulationNode {
   Pacer pacer_;
   Refusals refusals_;
   bool paused_;
+  std::string divergence_;  // that the simulation waits after, paused; empty: none
 
   ros::CallbackQueue queue_;
   ros::NodeHandle nh_;
   ros::NodeHandle private_nh_;
   Outputs outputs_;
+  Monitor monitor_;
   WrenchDoors doors_;
-  ros::ServiceServer pause_service_;
-  ros::ServiceServer step_service_;
-  ros::ServiceServer reset_service_;
+  std::vector<ros::ServiceServer> services_;
 };
 
 }  // namespace rigid_body_sim

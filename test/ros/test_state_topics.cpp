@@ -1,7 +1,11 @@
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/ApplyWrench.h>
 #include <rigid_body_sim/BodyStates.h>
+#include <rigid_body_sim/GetState.h>
+#include <rigid_body_sim/SetState.h>
 
 #include "doors.hpp"
 
@@ -92,6 +96,37 @@ TEST_F(StateTopics, AppliedWrenchIsTheSumInBodyAxesAtTheCentreOfMass) {
 
   stepAndHear(1);  // past their end
   expectWrench(Vector3d::Zero(), Vector3d::Zero());
+}
+
+TEST_F(StateTopics, StateIsSetBetweenStepsAndGot) {
+  SetState set;
+  set.request.body = set.request.frame = "canary";
+  set.request.pose.position = toPoint({1, 2, 3});
+  set.request.pose.orientation = toQuaternion(Quaterniond(0.5, 0.5, 0.5, 0.5));
+  set.request.twist.linear = toVector3({4, 5, 6});
+  ASSERT_TRUE(ros::service::call("rigid_body_node/set_state", set));
+  EXPECT_TRUE(set.response.success) << set.response.message;
+  GetState get;
+  get.request.body = "canary";
+  get.request.frame = "world";
+  ASSERT_TRUE(ros::service::call("rigid_body_node/get_state", get));
+  EXPECT_TRUE(get.response.success) << get.response.message;
+  EXPECT_EQ(get.response.stamp, driver.step(0));
+  EXPECT_LT((fromPoint(get.response.pose.position) - Vector3d(1, 2, 3)).norm(), 1e-14);
+  // the attitude takes x to y, y to z, z to x
+  EXPECT_LT((fromVector3(get.response.twist.linear) - Vector3d(6, 4, 5)).norm(), 1e-14);
+
+  // one step of 0.01 s on from there, under the scene's gravity
+  driver.step(1);
+  const Vector3d g(0.1, 0, -9.80665);
+  const Vector3d expected = Vector3d(1, 2, 3) + 0.01 * Vector3d(6, 4, 5) + 0.5e-4 * g;
+  EXPECT_LT((driver.motion("canary").position - expected).norm(), 1e-14);
+
+  set.request.twist.linear.x = std::numeric_limits<double>::quiet_NaN();
+  ASSERT_TRUE(ros::service::call("rigid_body_node/set_state", set));
+  EXPECT_FALSE(set.response.success);
+  ASSERT_TRUE(ros::service::call("rigid_body_node/get_state", get));
+  EXPECT_LT((fromPoint(get.response.pose.position) - expected).norm(), 1e-14);
 }
 
 }  // namespace rigid_body_sim

@@ -1,0 +1,77 @@
+#include "status.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "conversions.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+void addMomenta(const World& world, const State& state, SimStatus& status) {
+  Vector3d p_W = Vector3d::Zero(), L_W = Vector3d::Zero();
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (world.bodies[i].fixed) continue;
+    const BodyState& body = state.bodies[i];
+    p_W += body.p_W;
+    L_W += body.L_W + Vector3d(body.x_W + body.x_low_W).cross(body.p_W);
+  }
+  status.momentum = toVector3(p_W);
+  status.angular_momentum = toVector3(L_W);
+}
+
+}  // namespace
+
+SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures) {
+  const World& world = simulation.world();
+  SimStatus status;
+  status.time = simulation.time();
+  status.steps = static_cast<std::uint64_t>(simulation.steps());
+  status.overruns = static_cast<std::uint64_t>(figures.overruns);
+  status.refused = static_cast<std::uint64_t>(figures.refused);
+  status.active_wrenches = static_cast<std::uint32_t>(simulation.wrenchCount());
+  status.paused = figures.paused;
+  status.mechanical_energy = mechanicalEnergy(world, simulation.state());
+  addMomenta(world, simulation.state(), status);
+  status.attitude_error = status.position_error = std::numeric_limits<double>::quiet_NaN();
+  if (world.solver.integrator == "auto") {
+    status.attitude_error = simulation.errorEstimate().attitude;
+    status.position_error = simulation.errorEstimate().position;
+  }
+  status.most_parts = static_cast<std::uint32_t>(simulation.mostParts());
+  return status;
+}
+
+bool holdsTolerance(const Simulation& simulation) {
+  return std::all_of(simulation.groups().begin(), simulation.groups().end(),
+                     [](const Group& group) { return group.choice().holds; });
+}
+
+void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper& diagnostic) {
+  const SimStatus& status = health.status;
+  diagnostic.summary(DiagnosticStatus::OK, status.paused ? "paused" : "running");
+  if (health.new_overruns > 0)
+    diagnostic.mergeSummaryf(DiagnosticStatus::WARN, "%llu steps began late",
+                             static_cast<unsigned long long>(health.new_overruns));
+  if (status.most_parts > 1)
+    diagnostic.mergeSummaryf(DiagnosticStatus::WARN, "steps are taken in up to %u parts",
+                             status.most_parts);
+  if (!health.holds_tolerance)
+    diagnostic.mergeSummary(DiagnosticStatus::WARN, "no integrator holds the scene's tolerance");
+  if (!health.divergence.empty())
+    diagnostic.summary(DiagnosticStatus::ERROR, "diverged: " + health.divergence);
+
+  diagnostic.add("simulation time [s]", status.time);
+  diagnostic.add("steps", status.steps);
+  diagnostic.add("real-time factor reached", status.real_time_factor);
+  diagnostic.add("overruns", status.overruns);
+  diagnostic.add("wrenches refused", status.refused);
+  diagnostic.add("wrenches that act or are to come", status.active_wrenches);
+  diagnostic.add("estimated attitude error [rad]", status.attitude_error);
+  diagnostic.add("estimated position error [m]", status.position_error);
+  diagnostic.add("most parts of a step", status.most_parts);
+}
+
+}  // namespace rigid_body_sim

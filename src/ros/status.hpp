@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <rigid_body_sim/SimStatus.h>
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+namespace rigid_body_sim {
+
+/// What the node knows of its run, beside the simulation.
+struct RunFigures {
+  std::int64_t overruns = 0;
+  std::int64_t refused = 0;
+  bool paused = false;
+  std::string divergence;  ///< time, body and quantity, once the simulation has stopped
+};
+
+/// The state of the simulation in figures; stamp and real-time factor are left to the caller.
+///   momentum Σ p,  angular momentum Σ (x × p + L),  over the bodies that move
+SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures);
+
+/// Whether auto found a row that holds the scene's tolerance wherever it needed one.
+bool holdsTolerance(const Simulation& simulation);
+
+struct Health {
+  SimStatus status;
+  std::uint64_t new_overruns = 0;  ///< since the last report
+  bool holds_tolerance = true;
+  std::string divergence;  ///< as in RunFigures
+};
+
+/// ERROR once the simulation has stopped; WARN for new overruns, for steps taken in parts, and for
+/// a tolerance that is not held; and the figures.
+void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper& diagnostic);
+
+}  // namespace rigid_body_sim

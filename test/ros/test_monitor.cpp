@@ -1,0 +1,119 @@
+#include <map>
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <std_srvs/SetBool.h>
+
+#include <rigid_body_sim/ApplyWrench.h>
+#include <rigid_body_sim/ClearWrenches.h>
+#include <rigid_body_sim/SimStatus.h>
+#include <rigid_body_sim/Step.h>
+
+#include "doors.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+class MonitorTopics : public Doors {
+ protected:
+  MonitorTopics() {
+    const boost::function<void(const SimStatus&)> hear_status = [this](const SimStatus& message) {
+      status = message;
+    };
+    const boost::function<void(const diagnostic_msgs::DiagnosticArray&)> hear_diagnostics =
+        [this](const diagnostic_msgs::DiagnosticArray& message) {
+          for (const DiagnosticStatus& s : message.status) diagnostics[s.name] = s;
+        };
+    subscribers.push_back(nh.subscribe<SimStatus>("rigid_body_node/status", 100, hear_status));
+    subscribers.push_back(
+        nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, hear_diagnostics));
+  }
+
+  bool waitForLevel(const std::string& node, unsigned char level) {
+    const std::string name = node + ": simulation";
+    return NodeDriver::waitFor(
+        [&] { return diagnostics.count(name) && diagnostics[name].level == level; });
+  }
+
+  SimStatus status;
+  std::map<std::string, DiagnosticStatus> diagnostics;
+  std::vector<ros::Subscriber> subscribers;
+};
+
+}  // namespace
+
+TEST_F(MonitorTopics, StatusIsToldWhilePausedToo) {
+  const ros::Time reached = driver.step(10);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return status.header.stamp == reached; }));
+  EXPECT_EQ(status.header.frame_id, "world");
+  EXPECT_TRUE(status.paused);
+  EXPECT_GE(status.steps, 10U);
+  EXPECT_EQ(status.time, static_cast<double>(status.steps) * 0.01);
+  EXPECT_GT(status.mechanical_energy, 0);
+  EXPECT_EQ(status.attitude_error, 0);  // all of it is solved
+  EXPECT_EQ(status.active_wrenches, 0U);
+
+  AppliedWrench message = generalMessage();
+  message.duration = ros::Duration(100);
+  general.publish(message);
+  message.duration = ros::Duration(-1);
+  general.publish(message);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return status.refused >= 1; }));
+  EXPECT_EQ(status.active_wrenches, 1U);
+
+  driver.pause(false);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return !status.paused && status.real_time_factor > 0; }));
+  driver.pause(true);
+}
+
+TEST_F(MonitorTopics, DivergenceIsAnErrorThatNamesWhatWhereAndWhen) {
+  ASSERT_TRUE(waitForLevel("rigid_body_node", DiagnosticStatus::OK));
+  ASSERT_TRUE(waitForLevel("pad", DiagnosticStatus::OK));
+  const std::string& told = diagnostics["pad: simulation"].message;
+
+  // paused: it stays, at the last finite state
+  Step step;
+  step.request.steps = 1000;
+  ASSERT_TRUE(ros::service::call("pad/step", step));
+  EXPECT_FALSE(step.response.success);
+  ASSERT_TRUE(waitForLevel("pad", DiagnosticStatus::ERROR));
+  EXPECT_EQ(told, "diverged: " + step.response.message);
+  EXPECT_NE(told.find("body 'rocket'"), std::string::npos) << told;
+  EXPECT_NE(told.find("t = "), std::string::npos) << told;
+  EXPECT_NE(told.find("no longer finite"), std::string::npos) << told;
+
+  // without the wrench it goes on
+  ClearWrenches clear;
+  ASSERT_TRUE(ros::service::call("pad/clear_wrenches", clear));
+  step.request.steps = 1;
+  ASSERT_TRUE(ros::service::call("pad/step", step));
+  EXPECT_TRUE(step.response.success) << step.response.message;
+  EXPECT_TRUE(waitForLevel("pad", DiagnosticStatus::OK));
+}
+
+TEST_F(MonitorTopics, DivergenceIsToldBeforeTheNodeEnds) {
+  ASSERT_TRUE(waitForLevel("pad", DiagnosticStatus::OK));
+  AppliedWrench message = generalMessage();
+  message.body = "rocket";
+  message.wrench.force.x = 1e300;
+  message.duration = ros::Duration(1000);
+  ApplyWrench apply;
+  apply.request.wrench = message;
+  ASSERT_TRUE(ros::service::call("pad/apply_wrench", apply));
+  ASSERT_TRUE(apply.response.success) << apply.response.message;
+  std_srvs::SetBool resume;
+  ASSERT_TRUE(ros::service::call("pad/pause", resume));
+  EXPECT_TRUE(waitForLevel("pad", DiagnosticStatus::ERROR));
+  EXPECT_NE(diagnostics["pad: simulation"].message.find("body 'rocket'"), std::string::npos);
+}
+
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "test_monitor");
+  ::testing::InitGoogleTest(&argc, argv);
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,82 @@
+#include <vector>
+
+#include <geometry_msgs/WrenchStamped.h>
+#include <gtest/gtest.h>
+#include <rosgraph_msgs/Log.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <rigid_body_sim/Step.h>
+
+#include "node_driver.hpp"
+
+namespace rigid_body_sim {
+
+TEST(Reset, RaisesNoWarningAboutTfWhileTimeRunsOn) {
+  NodeDriver driver({"box", "canary"});
+  driver.connect();
+  ros::NodeHandle nh;
+  tf2_ros::Buffer buffer;
+  const tf2_ros::TransformListener listener(buffer);
+  std::vector<std::string> warnings;
+  const boost::function<void(const rosgraph_msgs::Log&)> hear = [&](const rosgraph_msgs::Log& log) {
+    if (log.level >= rosgraph_msgs::Log::WARN) warnings.push_back(log.name + ": " + log.msg);
+  };
+  const ros::Subscriber rosout = nh.subscribe<rosgraph_msgs::Log>("/rosout", 1000, hear);
+  const ros::Publisher wrench = nh.advertise<geometry_msgs::WrenchStamped>("box/wrench", 1);
+
+  driver.pause(false);
+  for (int i = 0; i < 20; ++i) {
+    const std::size_t heard = driver.stamps().size();
+    ASSERT_TRUE(NodeDriver::waitFor([&] { return driver.stamps().size() > heard + 3; }));
+    driver.reset();
+  }
+  driver.pause(true);
+  const ros::Time last = driver.step(1);
+  ASSERT_TRUE(NodeDriver::waitFor(
+      [&] { return buffer.canTransform("world", "box", last) || !warnings.empty(); }));
+  for (std::size_t i = 1; i < driver.stamps().size(); ++i)
+    ASSERT_LT(driver.stamps()[i - 1], driver.stamps()[i]) << "message " << i;
+
+  // the log is heard, and has come so far: a wrench that is refused is the only warning
+  ASSERT_TRUE(NodeDriver::waitFor([&] {
+    wrench.publish(geometry_msgs::WrenchStamped());
+    return !warnings.empty();
+  }));
+  for (const std::string& warning : warnings)
+    EXPECT_NE(warning.find("wrench refused"), std::string::npos) << warning;
+}
+
+TEST(Reset, OfTimeStartsOverAtOnceWhileRunning) {
+  ros::NodeHandle nh("back");
+  std::vector<ros::Time> stamps;
+  const boost::function<void(const nav_msgs::Odometry&)> hear =
+      [&](const nav_msgs::Odometry& message) { stamps.push_back(message.header.stamp); };
+  const ros::Subscriber odometry = nh.subscribe<nav_msgs::Odometry>("ball/odom", 100000, hear);
+  ASSERT_TRUE(ros::service::waitForService("back/back/step", 20000));
+
+  // far longer than the test waits
+  Step step;
+  step.request.steps = 100000;
+  ASSERT_TRUE(ros::service::call("back/back/step", step));
+  std_srvs::SetBool resume;
+  ASSERT_TRUE(ros::service::call("back/back/pause", resume));
+  ASSERT_TRUE(
+      NodeDriver::waitFor([&] { return !stamps.empty() && stamps.back() > step.response.stamp; }));
+
+  std_srvs::Trigger reset;
+  ASSERT_TRUE(ros::service::call("back/back/reset", reset));
+  // about a thousand seconds before
+  EXPECT_TRUE(NodeDriver::waitFor(
+      [&] { return stamps.back() < step.response.stamp - ros::Duration(900); }));
+}
+
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "test_reset");
+  ::testing::InitGoogleTest(&argc, argv);
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}
