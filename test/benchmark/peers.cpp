@@ -96,7 +96,7 @@ Run ourRun(const Problem& p, const std::string& integrator, int steps) {
 
 std::vector<Run> ourRuns(const Problem& p, const std::string& integrator) {
   constexpr double kLongest = 0.02;  // [s] as for odeint
-  constexpr int kCoarse = 1000;      // steps so long are divided, and may cost more than shorter ones
+  constexpr int kCoarse = 1000;  // steps so long are divided, and may cost more than shorter ones
   std::vector<Run> runs;
   for (int steps = 1; steps < 1000000; steps = steps + 1 + steps / 5) {
     try {
