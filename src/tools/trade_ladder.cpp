@@ -5,6 +5,8 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "cpu_time.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -40,6 +42,7 @@ void climbLadder(const World& world, const Reference& reference, const std::stri
                  const std::function<void(const Setting&)>& measured, const Patience& patience) {
   constexpr int kMostHalvings = 24, kMostDoublings = 10;
   constexpr double kFewestSteps = 8;  // that the duration is to be taken in
+  constexpr double kMostSteps = 3e6;  // for a row that fails at every longer step
   constexpr double kLost = 1;         // [rad, relative] beyond it, the error says no more
   const double h = world.solver.time_step;
   std::optional<Setting> setting = tryMeasuring(world, reference, integrator, h, patience);
@@ -51,7 +54,10 @@ void climbLadder(const World& world, const Reference& reference, const std::stri
   for (int k = 0; k < kMostHalvings; ++k, step /= 2) {
     if (setting && 2e-9 * setting->cpu_ns_per_sim_s * reference.duration > patience.longest_run)
       break;
+    if (reference.duration / step > kMostSteps) break;
+    const double begin = cpuTime();
     setting = tryMeasuring(world, reference, integrator, step, patience);
+    if (!setting && cpuTime() - begin > patience.longest_run) break;
     if (!setting) continue;
     measured(*setting);
     const double error = setting->errors.bounded();

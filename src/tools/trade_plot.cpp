@@ -55,7 +55,7 @@ std::string scriptOf(const Trade& trade, const std::string& svg_path) {
          << "set ylabel 'worst error: attitude [rad] or position / path'\n"
          << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
          << "set termoption enhanced\nset grid lc rgb '#dddddd'\nset key outside right noenhanced\n"
-         << "set title noenhanced\n"
+         << "set title noenhanced\nset linetype 5 lc rgb '#b8860b'\n"
          << "plot $front with lines lw 9 lc rgb '#d8d8d8' title 'Pareto front', \\\n";
   for (std::size_t i = 0; i < names.size(); ++i)
     script << "  $row" << i << " with linespoints lw 1.5 ps 0.6 pt 7 lt " << i + 1 << " title "
