@@ -69,6 +69,7 @@ rigid_body_gtest(test_node
     test/ros/test_node_options.cpp
     test/ros/test_pacing.cpp
     test/ros/test_state_requests.cpp
+    test/ros/test_static_frames.cpp
     test/ros/test_status.cpp
     test/ros/test_wrench_intake.cpp
     test/ros/test_wrench_messages.cpp

@@ -13,6 +13,8 @@ namespace {
 /// Longest wait for a callback [s]: how soon a shutdown is seen.
 constexpr double kLongestWait = 0.05;
 
+constexpr std::uint32_t kQueueSize = 100;
+
 /// Given to roscpp [s] to write the last diagnostics: a shutdown drops what is not written yet.
 constexpr double kTimeToWrite = 0.2;
 
@@ -62,6 +64,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
           nh_, private_nh_, movingBodies(simulation_.world()), origin_,
           [this](const WrenchRequest& request) { return take(request); },
           [this](const std::string& body, const std::string& slot) { return clear(body, slot); }),
+      tf_static_(nh_.subscribe("/tf_static", kQueueSize, &StaticFrames::add, &static_frames_)),
       services_{private_nh_.advertiseService("pause", &SimulationNode::pause, this),
                 private_nh_.advertiseService("step", &SimulationNode::stepPaused, this),
                 private_nh_.advertiseService("reset", &SimulationNode::reset, this),
@@ -139,6 +142,8 @@ void SimulationNode::advance() {
 
 /// Returns the fault of a request that is refused.
 std::string SimulationNode::take(const WrenchRequest& request) {
+  static_frames_.lookUp(request.wrench.frame, frames_);
+  static_frames_.lookUp(request.wrench.point_frame, frames_);
   ResolvedWrench resolved =
       takeWrench(request, simulation_.world().bodies, frames_, rules_, simulation_.time());
   try {

@@ -18,6 +18,7 @@
 #include "outputs.hpp"
 #include "pacer.hpp"
 #include "refusals.hpp"
+#include "static_frames.hpp"
 #include "wrench_doors.hpp"
 #include "wrench_intake.hpp"
 
@@ -52,6 +53,7 @@ class SimulationNode {
   NodeOptions options_;
   Simulation simulation_;
   FrameTable frames_;
+  StaticFrames static_frames_;
   IntakeRules rules_;
   TimeOrigin origin_;
   Pacer pacer_;
@@ -65,6 +67,7 @@ class SimulationNode {
   Outputs outputs_;
   Monitor monitor_;
   WrenchDoors doors_;
+  ros::Subscriber tf_static_;
   std::vector<ros::ServiceServer> services_;
 };
 

@@ -13,7 +13,7 @@ struct WrenchRequest {
                      ///< until replaced, cleared or timed out
   std::string slot;  ///< replaces what the body has under it; empty: always adds
   /// From <body>/wrench: `frame` gives the place too. The world: the centre of mass of the body.
-  /// The body or a point of it: that frame's origin. No other frame will do.
+  /// The body or a frame fixed to it: that frame's origin. No other frame will do.
   bool placed_by_frame = false;
 };
 

@@ -17,6 +17,11 @@ FrameTable::FrameTable(const Scene& scene, const std::vector<Body>& bodies) {
   }
 }
 
+void FrameTable::attach(const std::string& name, const std::string& G, const Isometry3d& X_GF) {
+  const FixedFrame parent = frames_.at(G);
+  add(name, {parent.body, parent.X_PF * X_GF});
+}
+
 const FixedFrame* FrameTable::find(const std::string& name) const {
   const auto frame = frames_.find(name);
   return frame == frames_.end() ? nullptr : &frame->second;

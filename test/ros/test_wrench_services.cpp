@@ -125,6 +125,31 @@ TEST_F(WrenchServices, ClearRefusesAnUnknownBody) {
   EXPECT_EQ(clear("nobody", "").message, "unknown body 'nobody'");
 }
 
+TEST_F(WrenchServices, EverydayDoorTakesAFrameThatTfHangsOnTheBody) {
+  Isometry3d X_BF = Isometry3d::Identity();
+  X_BF.translation() = Vector3d(0.2, -0.3, 0.4);
+  X_BF.linear() = Quaterniond(0.5, 0.5, -0.5, 0.5).toRotationMatrix();
+  tf2_msgs::TFMessage frames;
+  for (const char* name : {"nozzle", "fin"})
+    frames.transforms.push_back(toTransform(X_BF, "box", name, start));
+  const ros::Publisher tf_static = nh.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
+  tf_static.publish(frames);
+  ros::Publisher everyday = nh.advertise<geometry_msgs::WrenchStamped>("box/wrench", 100);
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return everyday.getNumSubscribers() > 0; }));
+
+  // both frames are in once a wrench of nothing is taken in one of them
+  GeneralMessage probe;
+  probe.header.frame_id = "nozzle";
+  probe.body = "box";
+  probe.duration = ros::Duration(0.001);
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return faultOf(probe).empty(); }));
+  everyday.publish(everydayMessage("fin"));
+  stepUntil("box", [&](ReferenceRun& run) {
+    run.pushAtFrame("f", "box", F, T, X_BF, {run.time(), 0.5});
+  });
+  stepBoth(20);
+}
+
 }  // namespace rigid_body_sim
 
 int main(int argc, char** argv) {

@@ -21,6 +21,9 @@ class FrameTable {
   /// bodies: those of the world that was built from the scene.
   FrameTable(const Scene& scene, const std::vector<Body>& bodies);
 
+  /// Adds a frame F at pose X_GF in a frame G of the table, which it moves with.
+  void attach(const std::string& name, const std::string& G, const Isometry3d& X_GF);
+
   /// Null for an unknown name.
   const FixedFrame* find(const std::string& name) const;
 
