@@ -78,9 +78,11 @@ class Trial {
       for (std::size_t i = 0; i < truth.size(); ++i) {
         path += (truth[i][k].x_W - last).norm();
         last = truth[i][k].x_W;
-        const double gap = (track[i][k].x_W - truth[i][k].x_W).norm();
+        const double apart = (track[i][k].x_W - truth[i][k].x_W).norm();
+        const double gap =
+            std::max(0.0, apart - positionRounding(world_.bodies[group_.members[k]], truth[i][k]));
         const double attitude = angleBetween(track[i][k].q_WP, truth[i][k].q_WP);
-        if (!std::isfinite(gap + attitude)) return std::numeric_limits<double>::infinity();
+        if (!std::isfinite(apart + attitude)) return std::numeric_limits<double>::infinity();
         worst = std::max({worst, attitude, path > 0 ? gap / path : gap});
       }
     }

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <limits>
+
 #include <rigid_body_sim/dynamics/state.hpp>
 
 namespace rigid_body_sim {
@@ -22,6 +25,11 @@ BodyFrameMotion toBodyFrameMotion(const Body& body, const BodyState& state) {
   motion.w_W = rotate(state.q_WP, angularVelocity(body.inv_I, state.L_P));
   motion.v_W = state.p_W / body.mass - motion.w_W.cross(com_W);
   return motion;
+}
+
+double positionRounding(const Body& body, const BodyState& state) {
+  const double radius = std::sqrt(body.I.maxCoeff() / body.mass);
+  return 4 * std::numeric_limits<double>::epsilon() * (state.x_W.norm() + radius);
 }
 
 double kineticEnergy(const Body& body, const BodyState& state) {

@@ -15,13 +15,6 @@ double relative(double difference, double scale) {
   return scale > 0 ? difference / scale : difference;
 }
 
-/// [m] What rounding may do to the place of a body: where its centre of mass rests but for
-/// rounding, a gap like that is no share of its path.
-double unheld(const Body& body, const BodyState& state) {
-  const double radius = std::sqrt(body.I.maxCoeff() / body.mass);
-  return 4 * std::numeric_limits<double>::epsilon() * (state.x_W.norm() + radius);
-}
-
 void addErrorsOfBody(const World& world, std::size_t body, const std::vector<State>& track,
                      const std::vector<State>& truth, Errors& worst) {
   double L_scale = 0;
@@ -33,7 +26,8 @@ void addErrorsOfBody(const World& world, std::size_t body, const std::vector<Sta
     path += (b.x_W - truth[k - 1].bodies[body].x_W).norm();
     const double gap = ((a.x_W - b.x_W) + (a.x_low_W - b.x_low_W)).norm();
     raise(worst.attitude, angleBetween(a.q_WP, b.q_WP));
-    raise(worst.position, relative(std::max(0.0, gap - unheld(world.bodies[body], b)), path));
+    raise(worst.position,
+          relative(std::max(0.0, gap - positionRounding(world.bodies[body], b)), path));
     raise(worst.angular_momentum, relative((a.L_W - b.L_W).norm(), L_scale));
   }
 }

@@ -138,7 +138,7 @@ TEST_F(WrenchServices, EverydayDoorTakesAFrameThatTfHangsOnTheBody) {
   ASSERT_TRUE(NodeDriver::waitFor([&] { return everyday.getNumSubscribers() > 0; }));
 
   // both frames are in once a wrench of nothing is taken in one of them
-  GeneralMessage probe;
+  AppliedWrench probe;
   probe.header.frame_id = "nozzle";
   probe.body = "box";
   probe.duration = ros::Duration(0.001);

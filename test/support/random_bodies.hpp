@@ -46,6 +46,7 @@ class Draw {
     body.inv_I = body.I.cwiseInverse();
     body.X_BP.setIdentity();
     body.q_BP.setIdentity();
+    body.split = rotationSplit(body.inv_I);
     return body;
   }
 
