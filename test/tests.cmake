@@ -34,6 +34,7 @@ rigid_body_gtest(test_dynamics
     test/dynamics/test_describe_solution.cpp
     test/dynamics/test_law_motion.cpp
     test/dynamics/test_laws.cpp
+    test/dynamics/test_auto.cpp
     test/dynamics/test_methods.cpp
     test/dynamics/test_stiff_laws.cpp
     test/dynamics/test_simulation.cpp
@@ -124,6 +125,7 @@ foreach(launch_file ${launch_files})
 endforeach()
 rigid_body_gtest(test_taylor
   SOURCES
+    test/dynamics/test_taylor_accuracy.cpp
     test/dynamics/test_taylor_segment.cpp
   LIBRARIES rigid_body_sim_core)
 

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "support/law_benches.hpp"
+#include "support/reference_bench.hpp"
+#include "support/worlds.hpp"
+
+/// A motion for every kind of wrench and law, which the tests of all methods share.
+namespace rigid_body_sim::test {
+
+struct Case {
+  const char* name;
+  Bench bench;
+  bool torque_free = false;
+};
+
+inline Bench freeBody() {
+  Bench bench;
+  bench.add(principalBody("top", 1, {1, 2, 3}), tumbling({1, 2, 3}, {1, 1.5, 0.5}));
+  return bench;
+}
+
+/// A body pushed in the axes and at a point of a second body, which tumbles freely.
+inline Bench coupledBodies() {
+  Bench bench = pushedBox(1, 1, 0.1);
+  bench.add(principalBody("other", 3, {1, 2, 2.5}), tumbling({0.3, 0.1, 0}, {0.4, 1.2, -0.6}));
+  return bench;
+}
+
+/// A wrench in the world that starts and ends inside a step.
+inline Bench interruptedPush() {
+  Bench bench = pushedBox(kWorld, 0, 0.1);
+  bench.world.wrenches[0].start = 0.1234567;
+  bench.world.wrenches[0].end = 0.7654321;
+  return bench;
+}
+
+inline Bench draggedSpring() {
+  Bench bench = boxOnSpring();
+  bench.world.bodies[0].drag = {0.3, 0.1, 0.2};
+  return bench;
+}
+
+inline std::vector<Case> allCases() {
+  return {{"free", freeBody(), true},
+          {"world_wrench_at_body_point", pushedBox(kWorld, 0, 0.1)},
+          {"world_wrench_at_world_point", pushedBox(kWorld, kWorld, 0.1)},
+          {"body_wrench_at_body_point", pushedBox(0, 0, 0.1)},
+          {"body_wrench_at_world_point", pushedBox(0, kWorld, 0.1)},
+          {"wrench_of_another_body", coupledBodies()},
+          {"start_and_end_inside_steps", interruptedPush()},
+          {"spring_to_the_world", boxOnSpring()},
+          {"spring_between_bodies", springPair()},
+          {"damped_spring_to_the_world", boxOnSpring(3)},
+          {"damped_spring_between_bodies", springPair(1)},
+          {"central_gravity", satellite()},
+          {"linear_drag", thrown({0.8, 0, 0}), true},
+          {"angular_drag", thrown({0, 0, 1.5})},
+          {"quadratic_drag", thrown({0, 0.3, 0}), true},
+          {"every_drag", thrown({0.4, 0.2, 1})},
+          {"drag_on_a_spring", draggedSpring()}};
+}
+
+/// What a row has to accept for the case.
+inline unsigned needsOf(const Case& c) {
+  const World& world = c.bench.world;
+  std::vector<WrenchSchedule> schedules(world.bodies.size());
+  for (const PointWrench& wrench : world.wrenches) schedules[wrench.body].put("", wrench, 0);
+  unsigned needs = 0;
+  for (const CoupledBodies& group : rigid_body_sim::coupledBodies(world, schedules))
+    needs |= rigid_body_sim::needsOf(world, group, schedules);
+  return needs;
+}
+
+/// The cases that a row accepts.
+inline std::vector<Case> casesFor(const Method& method) {
+  std::vector<Case> accepted;
+  for (const Case& c : allCases())
+    if (method.takes(needsOf(c))) accepted.push_back(c);
+  return accepted;
+}
+
+}  // namespace rigid_body_sim::test
