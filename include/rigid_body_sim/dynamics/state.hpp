@@ -51,8 +51,8 @@ BodyState toBodyState(const Body& body, const BodyFrameMotion& motion);
 /// The inverse of toBodyState; velocities v_B = v − ω × R com.
 BodyFrameMotion toBodyFrameMotion(const Body& body, const BodyState& state);
 
-/// [m] What rounding may do to the place of a body: where its centre of mass rests but for rounding,
-/// a gap like that is no share of its path.
+/// [m] What rounding may do to the place of a body: where its centre of mass rests but for
+/// rounding, a gap like that is no share of its path.
 double positionRounding(const Body& body, const BodyState& state);
 
 /// ½ p²/m + ½ Σ Lᵢ²/Iᵢ  [J]
