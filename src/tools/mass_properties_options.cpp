@@ -1,7 +1,5 @@
 #include "mass_properties_options.hpp"
 
-#include <getopt.h>
-
 #include "usage.hpp"
 
 namespace rigid_body_sim {
@@ -17,38 +15,15 @@ MassFormat formatNamed(const std::string& name) {
 }  // namespace
 
 MassPropertiesOptions parseMassPropertiesOptions(int argc, char** argv) {
-  static const option known[] = {{"density", required_argument, nullptr, 'd'},
-                                 {"mass", required_argument, nullptr, 'm'},
-                                 {"format", required_argument, nullptr, 'f'},
-                                 {"help", no_argument, nullptr, 'h'},
-                                 {nullptr, 0, nullptr, 0}};
   MassPropertiesOptions options;
-  opterr = 0;  // the message below is ours
-  for (int code; (code = getopt_long(argc, argv, ":h", known, nullptr)) != -1;) {
-    switch (code) {
-      case 'd':
-        options.density = positiveNumber("density", optarg);
-        break;
-      case 'm':
-        options.mass = positiveNumber("mass", optarg);
-        break;
-      case 'f':
-        options.format = formatNamed(optarg);
-        break;
-      case 'h':
-        options.help = true;
-        break;
-      case ':':
-        throw UsageError(std::string(argv[optind - 1]) + " needs a value");
-      default:
-        throw UsageError("unknown option " + std::string(argv[optind - 1]));
-    }
-  }
-  if (options.help) return options;
+  const OptionActions actions{
+      {"density", [&](const char* s) { options.density = positiveNumber("density", s); }},
+      {"mass", [&](const char* s) { options.mass = positiveNumber("mass", s); }},
+      {"format", [&](const char* s) { options.format = formatNamed(s); }}};
+  const auto file = readCommandLine(argc, argv, actions, "file");
+  options.help = !file;
   if (options.density && options.mass) throw UsageError("--density cannot stand beside --mass");
-  if (optind + 1 != argc)
-    throw UsageError("exactly one file is needed, got " + std::to_string(argc - optind));
-  options.file = argv[optind];
+  options.file = file.value_or("");
   return options;
 }
 

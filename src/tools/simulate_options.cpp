@@ -1,54 +1,21 @@
 #include "simulate_options.hpp"
 
-#include <getopt.h>
-
 #include "usage.hpp"
 
 namespace rigid_body_sim {
+
 SimulateOptions parseSimulateOptions(int argc, char** argv) {
-  static const option known[] = {{"duration", required_argument, nullptr, 'd'},
-                                 {"sample", required_argument, nullptr, 's'},
-                                 {"time-step", required_argument, nullptr, 't'},
-                                 {"tolerance", required_argument, nullptr, 'e'},
-                                 {"integrator", required_argument, nullptr, 'i'},
-                                 {"csv", required_argument, nullptr, 'c'},
-                                 {"help", no_argument, nullptr, 'h'},
-                                 {nullptr, 0, nullptr, 0}};
   SimulateOptions options;
-  opterr = 0;  // the message below is ours
-  for (int code; (code = getopt_long(argc, argv, ":h", known, nullptr)) != -1;) {
-    switch (code) {
-      case 'd':
-        options.duration = positiveNumber("duration", optarg);
-        break;
-      case 's':
-        options.sample = positiveNumber("sample", optarg);
-        break;
-      case 't':
-        options.time_step = positiveNumber("time-step", optarg);
-        break;
-      case 'e':
-        options.tolerance = positiveNumber("tolerance", optarg);
-        break;
-      case 'i':
-        options.integrator = optarg;
-        break;
-      case 'c':
-        options.csv = optarg;
-        break;
-      case 'h':
-        options.help = true;
-        break;
-      case ':':
-        throw UsageError(std::string(argv[optind - 1]) + " needs a value");
-      default:
-        throw UsageError("unknown option " + std::string(argv[optind - 1]));
-    }
-  }
-  if (options.help) return options;
-  if (optind + 1 != argc)
-    throw UsageError("exactly one scene file is needed, got " + std::to_string(argc - optind));
-  options.scene = argv[optind];
+  const OptionActions actions{
+      {"duration", [&](const char* s) { options.duration = positiveNumber("duration", s); }},
+      {"sample", [&](const char* s) { options.sample = positiveNumber("sample", s); }},
+      {"time-step", [&](const char* s) { options.time_step = positiveNumber("time-step", s); }},
+      {"tolerance", [&](const char* s) { options.tolerance = positiveNumber("tolerance", s); }},
+      {"integrator", [&](const char* s) { options.integrator = s; }},
+      {"csv", [&](const char* s) { options.csv = s; }}};
+  const auto scene = readCommandLine(argc, argv, actions, "scene file");
+  options.help = !scene;
+  options.scene = scene.value_or("");
   return options;
 }
 

@@ -1,43 +1,19 @@
 #include "trade_options.hpp"
 
-#include <getopt.h>
-
 #include "usage.hpp"
 
 namespace rigid_body_sim {
 
 TradeOptions parseTradeOptions(int argc, char** argv) {
-  static const option known[] = {{"duration", required_argument, nullptr, 'd'},
-                                 {"error-budget", required_argument, nullptr, 'e'},
-                                 {"out", required_argument, nullptr, 'o'},
-                                 {"help", no_argument, nullptr, 'h'},
-                                 {nullptr, 0, nullptr, 0}};
   TradeOptions options;
-  opterr = 0;  // the message below is ours
-  for (int code; (code = getopt_long(argc, argv, ":h", known, nullptr)) != -1;) {
-    switch (code) {
-      case 'd':
-        options.duration = positiveNumber("duration", optarg);
-        break;
-      case 'e':
-        options.error_budget = positiveNumber("error-budget", optarg);
-        break;
-      case 'o':
-        options.out = optarg;
-        break;
-      case 'h':
-        options.help = true;
-        break;
-      case ':':
-        throw UsageError(std::string(argv[optind - 1]) + " needs a value");
-      default:
-        throw UsageError("unknown option " + std::string(argv[optind - 1]));
-    }
-  }
-  if (options.help) return options;
-  if (optind + 1 != argc)
-    throw UsageError("exactly one scene file is needed, got " + std::to_string(argc - optind));
-  options.scene = argv[optind];
+  const OptionActions actions{
+      {"duration", [&](const char* s) { options.duration = positiveNumber("duration", s); }},
+      {"error-budget",
+       [&](const char* s) { options.error_budget = positiveNumber("error-budget", s); }},
+      {"out", [&](const char* s) { options.out = s; }}};
+  const auto scene = readCommandLine(argc, argv, actions, "scene file");
+  options.help = !scene;
+  options.scene = scene.value_or("");
   return options;
 }
 

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <vector>
+
+#include <getopt.h>
 
 namespace rigid_body_sim {
 
@@ -11,6 +14,29 @@ double positiveNumber(const std::string& option, const char* text) {
   if (end == text || *end != '\0' || !std::isfinite(x) || !(x > 0))
     throw UsageError("--" + option + ": must be a finite number > 0, got '" + text + "'");
   return x;
+}
+
+std::optional<std::string> readCommandLine(int argc, char** argv, const OptionActions& actions,
+                                           const std::string& file_kind) {
+  constexpr int kValue = 1, kHelp = 'h';
+  std::vector<option> known;
+  for (const auto& [name, action] : actions)
+    known.push_back({name.c_str(), required_argument, nullptr, kValue});
+  known.push_back({"help", no_argument, nullptr, kHelp});
+  known.push_back({nullptr, 0, nullptr, 0});
+
+  opterr = 0;  // the messages below are ours
+  int index = 0;
+  for (int code; (code = getopt_long(argc, argv, ":h", known.data(), &index)) != -1;) {
+    if (code == kHelp) return std::nullopt;
+    if (code == ':') throw UsageError(std::string(argv[optind - 1]) + " needs a value");
+    if (code != kValue) throw UsageError("unknown option " + std::string(argv[optind - 1]));
+    actions.at(known[static_cast<std::size_t>(index)].name)(optarg);
+  }
+  if (optind + 1 != argc)
+    throw UsageError("exactly one " + file_kind + " is needed, got " +
+                     std::to_string(argc - optind));
+  return argv[optind];
 }
 
 }  // namespace rigid_body_sim

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,5 +19,13 @@ class UsageError : public std::invalid_argument {
 
 /// The value of an option, named without its dashes. Throws UsageError unless it is finite and > 0.
 double positiveNumber(const std::string& option, const char* text);
+
+/// What takes the value of each option, named without its dashes.
+using OptionActions = std::map<std::string, std::function<void(const char* value)>>;
+
+/// Reads a command line of the given options and one file, which it returns; nothing where --help
+/// is asked for. file_kind: for the message, such as "scene file". Throws UsageError.
+std::optional<std::string> readCommandLine(int argc, char** argv, const OptionActions& actions,
+                                           const std::string& file_kind);
 
 }  // namespace rigid_body_sim
