@@ -1,22 +1,14 @@
 #include "run_summary.hpp"
 
 #include <algorithm>
-#include <cstdarg>
 #include <cstdio>
+
+#include "formatted.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-std::string text(const char* format, ...) {
-  char line[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  return line;
-}
-
-std::string text(const Vector3d& v) { return text("(%.4g, %.4g, %.4g)", v.x(), v.y(), v.z()); }
+std::string text(const Vector3d& v) { return formatted("(%.4g, %.4g, %.4g)", v.x(), v.y(), v.z()); }
 
 double ratio(double difference, double scale) { return difference == 0 ? 0 : difference / scale; }
 
@@ -50,14 +42,14 @@ std::string keptText(const Balance& a, const Balance& b, const Vector3d& weight_
   const double energy_scale = std::max(a.kinetic, b.kinetic);
   const double p_scale = std::max(a.momentum.norm(), b.momentum.norm());
   const double L_scale = a.angular_momentum.norm();
-  return text("  kept: energy %.4g J to %.1e, momentum to %.1e, angular momentum to %.1e\n",
-              b.energy, ratio(std::abs(b.energy - a.energy), energy_scale),
-              ratio((b.momentum - a.momentum - weight_impulse).norm(), p_scale),
-              ratio((b.angular_momentum - a.angular_momentum).norm(), L_scale));
+  return formatted("  kept: energy %.4g J to %.1e, momentum to %.1e, angular momentum to %.1e\n",
+                   b.energy, ratio(std::abs(b.energy - a.energy), energy_scale),
+                   ratio((b.momentum - a.momentum - weight_impulse).norm(), p_scale),
+                   ratio((b.angular_momentum - a.angular_momentum).norm(), L_scale));
 }
 
 std::string pushedText(const Balance& a, const Balance& b, const Vector3d& weight_impulse) {
-  return text("  pushed: energy %+.4g J, momentum ", b.energy - a.energy) +
+  return formatted("  pushed: energy %+.4g J, momentum ", b.energy - a.energy) +
          text(b.momentum - a.momentum - weight_impulse) + " N s, angular momentum " +
          text(b.angular_momentum - a.angular_momentum) + " N m s\n";
 }
@@ -81,8 +73,8 @@ std::string runSummary(const World& world, const State& first, const State& last
   }
   if (!world.laws.empty()) {
     const double energy = mechanicalEnergy(world, last);
-    summary += text("all together: energy %.4g J, %+.2g J since the start\n", energy,
-                    energy - mechanicalEnergy(world, first));
+    summary += formatted("all together: energy %.4g J, %+.2g J since the start\n", energy,
+                         energy - mechanicalEnergy(world, first));
   }
   return summary;
 }

@@ -3,22 +3,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdarg>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
+#include "formatted.hpp"
+
 namespace rigid_body_sim {
 namespace {
-
-std::string text(const char* format, ...) {
-  char line[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  return line;
-}
 
 bool contains(const std::vector<Setting>& settings, const Setting& wanted) {
   return std::any_of(settings.begin(), settings.end(), [&](const Setting& s) {
@@ -28,7 +20,7 @@ bool contains(const std::vector<Setting>& settings, const Setting& wanted) {
 
 /// An error, with ~ where the reference is no surer.
 std::string errorText(double error, double doubt) {
-  return text(" %9.1e%c", error, error <= doubt ? '~' : ' ');
+  return formatted(" %9.1e%c", error, error <= doubt ? '~' : ' ');
 }
 
 }  // namespace
@@ -63,35 +55,36 @@ bool isPresent(const Setting& setting, const SolverOptions& present) {
 
 std::string numberText(double x) {
   for (int digits = 1; digits < 17; ++digits) {
-    const std::string shorter = text("%.*g", digits, x);
+    const std::string shorter = formatted("%.*g", digits, x);
     if (std::strtod(shorter.c_str(), nullptr) == x) return shorter;
   }
-  return text("%.17g", x);
+  return formatted("%.17g", x);
 }
 
 std::string referenceText(const Reference& reference) {
   const double doubt = reference.doubt.bounded();
   const int digits = doubt > 0 ? std::max(0, static_cast<int>(-std::log10(doubt))) : 15;
-  return text("reference: %s; %s agrees to %.1e rad and to %.1e of the path: %d digits\n",
-              reference.method.c_str(), reference.check.c_str(), reference.doubt.attitude,
-              reference.doubt.position, digits);
+  return formatted("reference: %s; %s agrees to %.1e rad and to %.1e of the path: %d digits\n",
+                   reference.method.c_str(), reference.check.c_str(), reference.doubt.attitude,
+                   reference.doubt.position, digits);
 }
 
 std::string tableText(const Trade& trade) {
   const Errors& doubt = trade.reference.doubt;
   const std::vector<Setting> front = paretoFront(trade.settings, trade.reference);
   std::string table =
-      text("   %-19s %12s  %9s  %9s  %9s  %9s  %11s %12s\n", "integrator", "time step", "attitude",
-           "position", "energy", "ang. mom.", "CPU us/s", "evaluations");
+      formatted("   %-19s %12s  %9s  %9s  %9s  %9s  %11s %12s\n", "integrator", "time step",
+                "attitude", "position", "energy", "ang. mom.", "CPU us/s", "evaluations");
   for (const Setting& s : trade.settings) {
-    table += text("%c%c ", contains(front, s) ? '*' : ' ', isPresent(s, trade.present) ? '<' : ' ');
-    table += text("%-19s %12.6g ", s.integrator.c_str(), s.time_step);
+    table +=
+        formatted("%c%c ", contains(front, s) ? '*' : ' ', isPresent(s, trade.present) ? '<' : ' ');
+    table += formatted("%-19s %12.6g ", s.integrator.c_str(), s.time_step);
     table += errorText(s.errors.attitude, doubt.attitude) +
              errorText(s.errors.position, doubt.position) +
              errorText(s.errors.energy, doubt.energy) +
              errorText(s.errors.angular_momentum, doubt.angular_momentum);
-    table += text(" %12.4g %12lld\n", 1e-3 * s.cpu_ns_per_sim_s,
-                  static_cast<long long>(s.force_evaluations));
+    table += formatted(" %12.4g %12lld\n", 1e-3 * s.cpu_ns_per_sim_s,
+                       static_cast<long long>(s.force_evaluations));
   }
   return table +
          "* on the Pareto front   < what the scene says now   ~ the reference is no surer\n";
@@ -103,13 +96,14 @@ std::string adviceText(const Trade& trade) {
   const double doubt = trade.reference.doubt.bounded();
   if (2 * doubt > budget) {
     budget = 2 * doubt;
-    advice = text("the reference is known to %.2g only, too little for an error budget of %.3g\n",
+    advice =
+        formatted("the reference is known to %.2g only, too little for an error budget of %.3g\n",
                   doubt, trade.error_budget);
   }
   const Setting* best = cheapestWithin(trade.settings, trade.reference, budget);
-  if (!best) return advice + text("no setting stays within %.2g\n", budget);
-  advice += text("cheapest within %.3g, %.4g us of CPU per simulated second:\n", budget,
-                 1e-3 * best->cpu_ns_per_sim_s);
+  if (!best) return advice + formatted("no setting stays within %.2g\n", budget);
+  advice += formatted("cheapest within %.3g, %.4g us of CPU per simulated second:\n", budget,
+                      1e-3 * best->cpu_ns_per_sim_s);
   advice += "integrator: " + best->integrator + "\n";
   advice += "time_step: " + numberText(best->time_step) + "\n";
   if (best->integrator != "auto" && trade.present.integrator == "auto")
