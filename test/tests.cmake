@@ -66,6 +66,7 @@ target_compile_definitions(test_scene PRIVATE
 rigid_body_gtest(test_node
   SOURCES
     test/ros/test_conversions.cpp
+    test/ros/test_input_replay.cpp
     test/ros/test_markers.cpp
     test/ros/test_node_options.cpp
     test/ros/test_pacing.cpp
@@ -79,8 +80,9 @@ rigid_body_gtest(test_node
 rigid_body_gtest(test_tools
   SOURCES
     test/tools/test_mass_properties_program.cpp
+    test/tools/test_simulate_bags.cpp
     test/tools/test_simulate_program.cpp
-  LIBRARIES rigid_body_sim_scene)
+  LIBRARIES rigid_body_sim_bag)
 target_compile_definitions(test_tools PRIVATE
   RIGID_BODY_SIM_CONFIG="${PROJECT_SOURCE_DIR}/config"
   RIGID_BODY_SIM_MASS_PROPERTIES="$<TARGET_FILE:mass_properties>"
@@ -107,6 +109,7 @@ function(rigid_body_rostest name)
   add_dependencies(test_${name} rigid_body_node)
   target_compile_definitions(test_${name} PRIVATE
     RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_node>"
+    RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:simulate>"
     RIGID_BODY_SIM_TEST_SCENE="${PROJECT_SOURCE_DIR}/test/ros/lopsided.yaml")
 endfunction()
 set(driver test/ros/node_driver.cpp test/ros/reference_run.cpp)
@@ -114,6 +117,9 @@ rigid_body_rostest(clock ${driver})
 rigid_body_rostest(doors ${driver})
 rigid_body_rostest(monitor ${driver})
 rigid_body_rostest(process)
+rigid_body_rostest(replay ${driver})
+target_link_libraries(test_replay rigid_body_sim_bag)
+add_dependencies(test_replay simulate)
 rigid_body_rostest(reset ${driver})
 rigid_body_rostest(services ${driver})
 rigid_body_rostest(state_topics ${driver})

@@ -5,6 +5,8 @@
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
+#include "input_messages.hpp"
+#include "ros_transport.hpp"
 #include "state_requests.hpp"
 
 namespace rigid_body_sim {
@@ -30,6 +32,11 @@ ros::NodeHandle onQueue(const std::string& name_space, ros::CallbackQueue& queue
   ros::NodeHandle nh(name_space);
   nh.setCallbackQueue(&queue);
   return nh;
+}
+
+OutputTopics rosTopics(const ros::NodeHandle& nh, const World& world, const NodeOptions& options) {
+  RosTransport transport(nh);
+  return openTopics(transport, world, options.publish_clock);
 }
 
 TimeOrigin startOf(const NodeOptions& options) {
@@ -58,7 +65,8 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       paused_(options.start_paused),
       nh_(onQueue("", queue_)),
       private_nh_(onQueue("~", queue_)),
-      outputs_(nh_, private_nh_, options, scene, simulation_, origin_),
+      outputs_(rosTopics(nh_, simulation_.world(), options), options, scene, simulation_, origin_),
+      inputs_(private_nh_, scene.world_frame, simulation_, origin_),
       monitor_(nh_, private_nh_, scene.world_frame, origin_),
       doors_(
           nh_, private_nh_, movingBodies(simulation_.world()), origin_,
@@ -147,7 +155,8 @@ std::string SimulationNode::take(const WrenchRequest& request) {
   ResolvedWrench resolved =
       takeWrench(request, simulation_.world().bodies, frames_, rules_, simulation_.time());
   try {
-    if (resolved.fault.empty()) simulation_.applyWrench(request.slot, resolved.wrench);
+    if (resolved.fault.empty())
+      inputs_.apply(wrenchInput(request.slot, resolved.wrench, simulation_.world()));
   } catch (const std::invalid_argument& error) {
     resolved.fault = error.what();  // the scene's integrator does not accept it
   }
@@ -156,19 +165,12 @@ std::string SimulationNode::take(const WrenchRequest& request) {
 }
 
 WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::string& slot) {
-  const std::vector<Body>& bodies = simulation_.world().bodies;
   const std::size_t before = simulation_.wrenchCount();
-  if (body.empty() && slot.empty()) simulation_.clearWrenches();
-  bool known = body.empty();
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (body.empty() ? slot.empty() : bodies[i].name != body) continue;
-    known = true;
-    if (slot.empty())
-      simulation_.clearWrenches(i);
-    else
-      simulation_.clearWrenches(i, slot);
+  try {
+    inputs_.apply(clearInput(body, slot));
+  } catch (const std::invalid_argument& error) {
+    return {error.what()};
   }
-  if (!known) return {"unknown body '" + body + "'"};
   return {"", before - simulation_.wrenchCount()};
 }
 
@@ -205,7 +207,9 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
 }
 
 bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  simulation_.reset(options_.reset_time);
+  Input input;
+  input.kind = options_.reset_time ? Input::RESTART : Input::RESET;
+  inputs_.apply(input);
   if (options_.reset_time) outputs_.restart();
   divergence_.clear();
   restartClocks();
@@ -216,10 +220,12 @@ bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 }
 
 bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {
-  const RequestedState requested = takeState(request, simulation_.world(), rules_.world_frame);
-  if (requested.fault.empty()) simulation_.setState(requested.body, requested.state);
-  response.success = requested.fault.empty();
-  response.message = requested.fault;
+  try {
+    inputs_.apply(setStateInput(request));
+    response.success = true;
+  } catch (const std::invalid_argument& error) {
+    response.message = error.what();
+  }
   return true;
 }
 

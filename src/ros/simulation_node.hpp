@@ -13,6 +13,7 @@
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
 
+#include "inputs.hpp"
 #include "monitor.hpp"
 #include "node_options.hpp"
 #include "outputs.hpp"
@@ -65,6 +66,7 @@ class SimulationNode {
   ros::NodeHandle nh_;
   ros::NodeHandle private_nh_;
   Outputs outputs_;
+  Inputs inputs_;
   Monitor monitor_;
   WrenchDoors doors_;
   ros::Subscriber tf_static_;
