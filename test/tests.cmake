@@ -110,11 +110,13 @@ function(rigid_body_rostest name)
   target_compile_definitions(test_${name} PRIVATE
     RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_node>"
     RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:simulate>"
+    RIGID_BODY_SIM_FOLLOWER_SCENE="${PROJECT_SOURCE_DIR}/test/ros/follower.yaml"
     RIGID_BODY_SIM_TEST_SCENE="${PROJECT_SOURCE_DIR}/test/ros/lopsided.yaml")
 endfunction()
 set(driver test/ros/node_driver.cpp test/ros/reference_run.cpp)
 rigid_body_rostest(clock ${driver})
 rigid_body_rostest(doors ${driver})
+rigid_body_rostest(fleet ${driver})
 rigid_body_rostest(monitor ${driver})
 rigid_body_rostest(process)
 rigid_body_rostest(replay ${driver})
@@ -124,6 +126,9 @@ rigid_body_rostest(reset ${driver})
 rigid_body_rostest(services ${driver})
 rigid_body_rostest(state_topics ${driver})
 rigid_body_rostest(wrench_services ${driver})
+
+# the same program, but the scene comes as text from a launch file
+add_rostest(test/ros/remote.test DEPENDENCIES test_state_topics)
 
 file(GLOB launch_files RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/launch/*.launch)
 foreach(launch_file ${launch_files})

@@ -17,9 +17,9 @@
 #include "monitor.hpp"
 #include "node_options.hpp"
 #include "outputs.hpp"
-#include "pacer.hpp"
 #include "refusals.hpp"
 #include "static_frames.hpp"
+#include "timekeeper.hpp"
 #include "wrench_doors.hpp"
 #include "wrench_intake.hpp"
 
@@ -38,10 +38,12 @@ class SimulationNode {
  private:
   void serveUntilDue();
   void serve(double seconds);
+  double nextTime() const;
   void step();
   void advance();
   void report();
   void restartClocks();
+  void startOver(bool restart_time);
   std::string take(const WrenchRequest& request);
   WrenchDoors::Cleared clear(const std::string& body, const std::string& slot);
 
@@ -56,8 +58,6 @@ class SimulationNode {
   FrameTable frames_;
   StaticFrames static_frames_;
   IntakeRules rules_;
-  TimeOrigin origin_;
-  Pacer pacer_;
   Refusals refusals_;
   bool paused_;
   std::string divergence_;  // that the simulation waits after, paused; empty: none
@@ -65,6 +65,7 @@ class SimulationNode {
   ros::CallbackQueue queue_;
   ros::NodeHandle nh_;
   ros::NodeHandle private_nh_;
+  Timekeeper time_;
   Outputs outputs_;
   Inputs inputs_;
   Monitor monitor_;
