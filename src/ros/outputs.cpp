@@ -24,8 +24,8 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
       origin_(origin),
       world_frame_(scene.world_frame),
       publish_clock_(options.publish_clock),
-      state_ticker_(options.publish_rate),
-      clock_ticker_(options.clock_rate) {
+      state_ticker_(options.publish_rate, scene.time_step),
+      clock_ticker_(options.clock_rate, scene.time_step) {
   publishOnce(scene);
 }
 
@@ -57,11 +57,7 @@ void Outputs::publishNow() {
   publishState();
 }
 
-void Outputs::restart() {
-  state_ticker_.restart();
-  clock_ticker_.restart();
-  last_state_stamp_ = last_clock_stamp_ = ros::Time();
-}
+void Outputs::restart() { last_state_stamp_ = last_clock_stamp_ = ros::Time(); }
 
 void Outputs::publishClock() {
   rosgraph_msgs::Clock message;
