@@ -74,6 +74,7 @@ rigid_body_gtest(test_node
     test/ros/test_static_frames.cpp
     test/ros/test_status.cpp
     test/ros/test_wrench_intake.cpp
+    test/ros/test_wrench_matrix.cpp
     test/ros/test_wrench_messages.cpp
   LIBRARIES rigid_body_sim_ros)
 
