@@ -69,6 +69,7 @@ rigid_body_gtest(test_node
     test/ros/test_input_replay.cpp
     test/ros/test_markers.cpp
     test/ros/test_node_options.cpp
+    test/ros/test_outputs.cpp
     test/ros/test_pacing.cpp
     test/ros/test_state_requests.cpp
     test/ros/test_static_frames.cpp
@@ -124,6 +125,7 @@ rigid_body_rostest(replay ${driver})
 target_link_libraries(test_replay rigid_body_sim_bag)
 add_dependencies(test_replay simulate)
 rigid_body_rostest(reset ${driver})
+rigid_body_rostest(same_bytes ${driver})
 rigid_body_rostest(services ${driver})
 rigid_body_rostest(state_topics ${driver})
 rigid_body_rostest(wrench_services ${driver})

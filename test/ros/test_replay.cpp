@@ -22,6 +22,7 @@
 #include <rigid_body_sim/Step.h>
 
 #include "conversions.hpp"
+#include "message_bytes.hpp"
 #include "node_driver.hpp"
 
 namespace rigid_body_sim {
@@ -124,21 +125,6 @@ class Replay : public ::testing::Test {
   std::map<Key, geometry_msgs::WrenchStamped> applied;
 };
 
-/// roscpp counts messages in it
-template <class Message>
-Message withoutSequence(Message message) {
-  message.header.seq = 0;
-  return message;
-}
-
-template <class Message>
-std::string bytes(const Message& message) {
-  std::vector<std::uint8_t> buffer(ros::serialization::serializationLength(message));
-  ros::serialization::OStream stream(buffer.data(), static_cast<std::uint32_t>(buffer.size()));
-  ros::serialization::serialize(stream, message);
-  return {buffer.begin(), buffer.end()};
-}
-
 }  // namespace
 
 TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
@@ -198,12 +184,11 @@ TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
     const std::string topic = message.getTopic();
     const std::string body = topic.substr(1, topic.find('/', 1) - 1);
     if (const auto m = message.instantiate<BodyStates>()) {
-      states_same += bytes(*m) == bytes(withoutSequence(states[m->header.stamp]));
+      states_same += bytesOf(*m) == bytesOf(states[m->header.stamp]);
     } else if (const auto odom = message.instantiate<nav_msgs::Odometry>()) {
-      odometry_same += bytes(*odom) == bytes(withoutSequence(odometry[{body, odom->header.stamp}]));
+      odometry_same += bytesOf(*odom) == bytesOf(odometry[{body, odom->header.stamp}]);
     } else if (const auto wrench = message.instantiate<geometry_msgs::WrenchStamped>()) {
-      applied_same +=
-          bytes(*wrench) == bytes(withoutSequence(applied[{body, wrench->header.stamp}]));
+      applied_same += bytesOf(*wrench) == bytesOf(applied[{body, wrench->header.stamp}]);
     }
   }
   EXPECT_GE(states.size(), 90U);
