@@ -130,6 +130,10 @@ rigid_body_rostest(services ${driver})
 rigid_body_rostest(state_topics ${driver})
 rigid_body_rostest(wrench_services ${driver})
 
+# for scripts/soak
+add_executable(garbage EXCLUDE_FROM_ALL test/soak/garbage.cpp)
+target_link_libraries(garbage rigid_body_sim_ros rigid_body_compile_options)
+
 # the same program, but the scene comes as text from a launch file
 add_rostest(test/ros/remote.test DEPENDENCIES test_state_topics)
 

@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::uint32_t kQueueSize = 100;
 
+/// Wrenches that act or are to come: a sender without end must not fill the memory.
+constexpr std::size_t kMostWrenches = 10000;
+constexpr const char* kTooManyWrenches =
+    "there must be less than 10000 wrenches that act or are to come";
+
 /// Given to roscpp [s] to write the last diagnostics: a shutdown drops what is not written yet.
 constexpr double kTimeToWrite = 0.2;
 
@@ -157,17 +162,23 @@ void SimulationNode::advance() {
 
 /// Returns the fault of a request that is refused.
 std::string SimulationNode::take(const WrenchRequest& request) {
+  const std::string fault =
+      simulation_.wrenchCount() < kMostWrenches ? tryToTake(request) : kTooManyWrenches;
+  if (!fault.empty()) refusals_.add(fault);
+  return fault;
+}
+
+std::string SimulationNode::tryToTake(const WrenchRequest& request) {
   static_frames_.lookUp(request.wrench.frame, frames_);
   static_frames_.lookUp(request.wrench.point_frame, frames_);
-  ResolvedWrench resolved =
+  const ResolvedWrench resolved =
       takeWrench(request, simulation_.world().bodies, frames_, rules_, simulation_.time());
   try {
     if (resolved.fault.empty())
       inputs_.apply(wrenchInput(request.slot, resolved.wrench, simulation_.world()));
   } catch (const std::invalid_argument& error) {
-    resolved.fault = error.what();  // the scene's integrator does not accept it
+    return error.what();  // the scene's integrator does not accept it
   }
-  if (!resolved.fault.empty()) refusals_.add(resolved.fault);
   return resolved.fault;
 }
 

@@ -45,6 +45,7 @@ class SimulationNode {
   void restartClocks();
   void startOver(bool restart_time);
   std::string take(const WrenchRequest& request);
+  std::string tryToTake(const WrenchRequest& request);
   WrenchDoors::Cleared clear(const std::string& body, const std::string& slot);
 
   bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
