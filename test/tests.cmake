@@ -126,8 +126,10 @@ endforeach()
 rigid_body_gtest(test_taylor
   SOURCES
     test/dynamics/test_taylor_accuracy.cpp
+    test/dynamics/test_taylor_bound.cpp
     test/dynamics/test_taylor_segment.cpp
   LIBRARIES rigid_body_sim_core)
+target_include_directories(test_taylor PRIVATE src)
 
 rigid_body_gtest(test_rotor
   SOURCES

@@ -69,8 +69,8 @@ class Simulation {
   std::int64_t evaluations() const;
 
   /// From now on a second simulation runs along at twice the step, for half the cost: by how much
-  /// the two differ tells the error (Richardson). Bodies whose motion is solved differ by rounding
-  /// only; where all are, nothing runs along.
+  /// the two differ tells the error (Richardson). Bodies whose motion is solved
+  /// to rounding do not count; where all are, nothing runs along.
   void trackError();
 
   /// The greatest error so far since trackError, estimated at every other step: the difference of
@@ -94,7 +94,7 @@ class Simulation {
 
   void formGroups(double most_trial_steps);
   MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
-  bool allSolved() const;
+  bool solvedToRounding(const Group& group) const;
   void startCoarse();
   void followCoarse();
 
