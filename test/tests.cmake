@@ -94,7 +94,8 @@ rigid_body_gtest(test_trade
   SOURCES
     test/tools/test_trade_measures.cpp
     test/tools/test_trade_program.cpp
-  LIBRARIES rigid_body_trade)
+    test/tools/test_trade_scenes.cpp
+  LIBRARIES rigid_body_trade rigid_body_sim_scene)
 target_compile_definitions(test_trade PRIVATE
   RIGID_BODY_SIM_TRADE="$<TARGET_FILE:trade>"
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
