@@ -15,6 +15,7 @@ endfunction()
 rigid_body_gtest(test_math
   SOURCES
     test/math/test_compensated_sum.cpp
+    test/math/test_gauss_legendre.cpp
     test/math/test_hat.cpp
   LIBRARIES rigid_body_sim_core)
 
@@ -35,6 +36,7 @@ rigid_body_gtest(test_dynamics
     test/dynamics/test_law_motion.cpp
     test/dynamics/test_laws.cpp
     test/dynamics/test_auto.cpp
+    test/dynamics/test_balance.cpp
     test/dynamics/test_methods.cpp
     test/dynamics/test_stiff_laws.cpp
     test/dynamics/test_simulation.cpp
@@ -92,7 +94,8 @@ rigid_body_gtest(test_trade
   SOURCES
     test/tools/test_trade_measures.cpp
     test/tools/test_trade_program.cpp
-  LIBRARIES rigid_body_trade)
+    test/tools/test_trade_scenes.cpp
+  LIBRARIES rigid_body_trade rigid_body_sim_scene)
 target_compile_definitions(test_trade PRIVATE
   RIGID_BODY_SIM_TRADE="$<TARGET_FILE:trade>"
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")

@@ -21,9 +21,7 @@ constexpr double kTimeToWrite = 0.2;
 Simulation makeSimulation(const Scene& scene) {
   World world = buildWorld(scene);
   State initial = initialState(scene, world);
-  Simulation simulation(std::move(world), std::move(initial));
-  if (simulation.world().solver.integrator == "auto") simulation.trackError();
-  return simulation;
+  return Simulation(std::move(world), std::move(initial));
 }
 
 ros::NodeHandle onQueue(const std::string& name_space, ros::CallbackQueue& queue) {
@@ -102,12 +100,22 @@ void SimulationNode::serve(double seconds) {
 }
 
 void SimulationNode::report() {
+  track(monitor_.isHeard());
   RunFigures figures;
   figures.overruns = pacer_.overruns();
   figures.refused = refusals_.count();
   figures.paused = paused_;
   figures.divergence = divergence_;
   monitor_.report(simulation_, figures, Monitor::Clock::now());
+}
+
+/// The balance, and errors with auto, are tracked while somebody listens.
+void SimulationNode::track(bool heard) {
+  if (heard == tracked_) return;
+  tracked_ = heard;
+  if (!heard) return simulation_.stopTracking();
+  simulation_.trackBalance();
+  if (simulation_.world().solver.integrator == "auto") simulation_.trackError();
 }
 
 /// Ties the wall to simulation time as it is now.

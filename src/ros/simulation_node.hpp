@@ -40,6 +40,7 @@ class SimulationNode {
   void step();
   void advance();
   void report();
+  void track(bool heard);
   void restartClocks();
   std::string take(const WrenchRequest& request);
   WrenchDoors::Cleared clear(const std::string& body, const std::string& slot);
@@ -59,6 +60,7 @@ class SimulationNode {
   Pacer pacer_;
   Refusals refusals_;
   bool paused_;
+  bool tracked_ = false;    // balance and errors
   std::string divergence_;  // that the simulation waits after, paused; empty: none
 
   ros::CallbackQueue queue_;

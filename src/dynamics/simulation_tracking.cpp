@@ -4,11 +4,12 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
-/// The run at twice the step that tells the error of a simulation.
+/// What runs beside a simulation where it is asked for: the run at twice the step that tells its
+/// error, and its balance.
 namespace rigid_body_sim {
 
 void Simulation::trackError() {
-  tracks_error_ = true;
+  tracked_ = tracks_error_ = true;
   if (steps_ % 2 == 0) startCoarse();
 }
 
@@ -26,11 +27,34 @@ void Simulation::startCoarse() {
   world.solver.tolerance_stated = false;
   coarse_ = std::make_shared<Simulation>(*this);
   coarse_->world_ = std::make_shared<const World>(std::move(world));
-  coarse_->tracks_error_ = false;
+  coarse_->stopTracking();
   coarse_->most_turn_share_ = 2;  // so that its parts, too, are twice as long
-  coarse_->coarse_.reset();
   coarse_->steps_ = steps_ / 2;
   coarse_->formGroups(kTrialInTheRun);
+}
+
+void Simulation::trackBalance() {
+  tracked_ = true;
+  if (!balance_) balance_.emplace(*world_, state_);
+}
+
+void Simulation::startBalance() {
+  if (balance_) balance_.emplace(*world_, state_);
+}
+
+Totals Simulation::balance() const {
+  return balance_ ? balance_->remainder(*world_, state_) : Totals::unknown();
+}
+
+Totals Simulation::exchanged() const {
+  return balance_ ? balance_->exchanged() : Totals::unknown();
+}
+
+void Simulation::stopTracking() {
+  tracked_ = tracks_error_ = false;
+  coarse_.reset();
+  error_ = ErrorEstimate();
+  balance_.reset();
 }
 
 void Simulation::followCoarse() {
