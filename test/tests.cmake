@@ -65,6 +65,7 @@ target_compile_definitions(test_scene PRIVATE
 
 rigid_body_gtest(test_node
   SOURCES
+    test/ros/test_arrow_markers.cpp
     test/ros/test_conversions.cpp
     test/ros/test_markers.cpp
     test/ros/test_node_options.cpp

@@ -207,6 +207,7 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
 bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   simulation_.reset(options_.reset_time);
   if (options_.reset_time) outputs_.restart();
+  outputs_.breakTrails();
   divergence_.clear();
   restartClocks();
   response.success = true;
@@ -217,7 +218,10 @@ bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 
 bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {
   const RequestedState requested = takeState(request, simulation_.world(), rules_.world_frame);
-  if (requested.fault.empty()) simulation_.setState(requested.body, requested.state);
+  if (requested.fault.empty()) {
+    simulation_.setState(requested.body, requested.state);
+    outputs_.breakTrails();
+  }
   response.success = requested.fault.empty();
   response.message = requested.fault;
   return true;
