@@ -14,6 +14,7 @@ constexpr double kStandardGravity = 9.80665;  // [m/s²]
 constexpr double kShortest = 0.1;             // of a body's size
 constexpr double kLongest = 3.0;
 constexpr double kRounding = 1e-12;
+constexpr double kHalfATurn = 3.141592653589793;  // [rad/s]
 
 /// How one kind of arrow looks.
 struct Kind {
@@ -26,7 +27,7 @@ constexpr Kind kAngularMomentum{"motion/angular_momentum", 0.2F, 0.8F, 0.8F};
 
 Marker arrow(const Kind& kind, const Vector3d& tail_W, const Vector3d& along_W, double size) {
   const double length = along_W.norm();
-  const double thickness = 0.05 * std::min(length, size);
+  const double thickness = std::min(0.1 * length, 0.04 * size);
   Marker marker;
   marker.type = Marker::ARROW;
   marker.ns = kind.name_space;
@@ -68,7 +69,8 @@ std::vector<Marker> wrenchArrows(const PointWrench& applied, const std::vector<B
 
 std::vector<Marker> momentumArrows(const Body& body, const BodyState& state) {
   std::vector<Marker> arrows;
-  addArrow(kAngularMomentum, state.x_W, state.L_W, body.I.maxCoeff(), sizeOf(body), arrows);
+  addArrow(kAngularMomentum, state.x_W, state.L_W, kHalfATurn * body.I.maxCoeff(), sizeOf(body),
+           arrows);
   return arrows;
 }
 

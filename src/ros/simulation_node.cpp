@@ -60,6 +60,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       private_nh_(onQueue("~", queue_)),
       outputs_(nh_, private_nh_, options, scene, simulation_, origin_),
       monitor_(nh_, private_nh_, scene.world_frame, origin_),
+      mouse_(private_nh_, scene, simulation_, origin_, options.wrench_timeout, refusals_),
       doors_(
           nh_, private_nh_, movingBodies(simulation_.world()), origin_,
           [this](const WrenchRequest& request) { return take(request); },
@@ -98,7 +99,9 @@ void SimulationNode::serveUntilDue() {
 /// Waits for a callback for that long at most, serves all there are, and reports when that is due.
 void SimulationNode::serve(double seconds) {
   queue_.callAvailable(ros::WallDuration(seconds));
-  if (monitor_.isDue(Monitor::Clock::now())) report();
+  const Monitor::Clock::time_point now = Monitor::Clock::now();
+  mouse_.keepAlive(now);
+  if (monitor_.isDue(now)) report();
 }
 
 void SimulationNode::report() {
@@ -129,6 +132,7 @@ void SimulationNode::step() {
 
 /// One step and what it has to tell. Reports a divergence before it throws it on.
 void SimulationNode::advance() {
+  mouse_.pull();
   try {
     simulation_.step();
   } catch (const SimulationDiverged& error) {
@@ -169,6 +173,7 @@ WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::s
       simulation_.clearWrenches(i, slot);
   }
   if (!known) return {"unknown body '" + body + "'"};
+  if (slot.empty()) mouse_.letGo(body);
   return {"", before - simulation_.wrenchCount()};
 }
 
@@ -206,6 +211,7 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
 
 bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   simulation_.reset(options_.reset_time);
+  mouse_.letGo("");
   if (options_.reset_time) outputs_.restart();
   outputs_.breakTrails();
   divergence_.clear();
