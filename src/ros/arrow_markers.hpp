@@ -17,10 +17,10 @@ double sizeOf(const Body& body);
 ///   a force and a couple, each from the point at which the wrench acts,
 ///   the angular momentum from the centre of mass.
 /// An arrow is as long as the body (sizeOf) for a force equal to the weight on Earth, a couple
-/// equal to the weight on half a body's size, and the angular momentum of 1 rad/s about the axis of
-/// the greatest moment. Length goes with the square root of the magnitude, from a tenth of the body
-/// to three times the body, so that a thruster and a blow can be seen in one picture. What is
-/// beyond twelve decimal digits below those has no arrow: it is rounding.
+/// equal to the weight on half a body's size, and the angular momentum of half a turn a second
+/// about the axis of the greatest moment. Length goes with the square root of the magnitude, from a
+/// tenth of the body to three times the body, so that a thruster and a blow can be seen in one
+/// picture. What is beyond twelve decimal digits below those has no arrow: it is rounding.
 std::vector<visualization_msgs::Marker> wrenchArrows(const PointWrench& applied,
                                                      const std::vector<Body>& bodies,
                                                      const std::vector<BodyState>& states);

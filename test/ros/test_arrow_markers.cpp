@@ -76,7 +76,7 @@ TEST_F(ArrowMarkers, LengthsStayWithinATenthAndThreeTimesTheBody) {
 
 TEST_F(ArrowMarkers, AngularMomentumIsDrawnFromTheCentreOfMass) {
   EXPECT_TRUE(momentumArrows(bodies[0], states[0]).empty());
-  states[0].L_W = Vector3d(0, 0.2 * 4, 0);  // 4 rad/s
+  states[0].L_W = Vector3d(0, 0.2 * 4 * M_PI, 0);  // two turns a second
   const auto drawn = momentumArrows(bodies[0], states[0]);
   ASSERT_EQ(drawn.size(), 1U);
   EXPECT_EQ(drawn[0].ns, "motion/angular_momentum");
