@@ -15,7 +15,7 @@ using visualization_msgs::Marker;
 /// So that the mouse finds the shell, not the body within.
 constexpr double kLarger = 1.02;
 
-constexpr float kOpacity = 0.15F;
+constexpr float kOpacity = 0.3F;
 
 /// Draws a marker, at a pose in the body frame, as a part of the shell about the centre of mass c:
 /// x becomes c + s (x − c).
@@ -26,7 +26,6 @@ Marker shellOf(Marker marker, const Vector3d& com_B) {
   marker.pose.position = toPoint(com_B + kLarger * (x_B - com_B));
   marker.scale = toVector3(kLarger * fromVector3(marker.scale));
   marker.mesh_use_embedded_materials = false;
-  marker.color.r = marker.color.g = marker.color.b = 1;
   marker.color.a = kOpacity;
   return marker;
 }
