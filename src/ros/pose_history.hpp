@@ -9,15 +9,15 @@
 
 namespace rigid_body_sim {
 
-/// Where a body was during the last second, to a millisecond: a viewer speaks of a frame as it was
-/// at a stamp that it has heard.
+/// Where a body was during the last ten seconds, as tf keeps it, to a millisecond: a viewer speaks
+/// of a frame as it was at a stamp that it has heard.
 class PoseHistory {
  public:
   /// Stamps increase.
   void add(const ros::Time& stamp, const Isometry3d& X_WB) {
     if (!poses_.empty() && stamp < poses_.rbegin()->first + ros::Duration(5e-4)) return;
     poses_[stamp] = X_WB;
-    while (poses_.begin()->first + ros::Duration(1) < stamp) poses_.erase(poses_.begin());
+    while (poses_.begin()->first + ros::Duration(10) < stamp) poses_.erase(poses_.begin());
   }
 
   /// The pose at the stamp or before it; the oldest for what lies before, the newest for stamp

@@ -196,15 +196,15 @@ TEST_F(MouseHoldsTest, RefuseWhatBreaksARuleAndKeepWhatWas) {
   expectPullTo(goal_W);
 }
 
-TEST(PoseHistory, GivesThePoseAtOrBeforeAStampOfTheLastSecond) {
+TEST(PoseHistory, GivesThePoseAtOrBeforeAStampOfTheLastTenSeconds) {
   PoseHistory history;
   const auto pose = [](double x) { return Isometry3d(Eigen::Translation3d(x, 0, 0)); };
   const auto x = [&](double t) { return history.at(ros::Time(t)).translation().x(); };
-  for (int i = 0; i <= 300; ++i) history.add(ros::Time(10 + 0.01 * i), pose(i));
-  EXPECT_EQ(x(12.505), 250);
-  EXPECT_EQ(x(0), 300);  // the newest
-  EXPECT_EQ(x(100), 300);
-  EXPECT_NEAR(x(1), 200, 1);  // the oldest that is left
+  for (int i = 0; i <= 3000; ++i) history.add(ros::Time(10 + 0.01 * i), pose(i));
+  EXPECT_EQ(x(37.505), 2750);
+  EXPECT_EQ(x(0), 3000);  // the newest
+  EXPECT_EQ(x(100), 3000);
+  EXPECT_NEAR(x(1), 2000, 1);  // the oldest that is left
 }
 
 }  // namespace rigid_body_sim
