@@ -60,6 +60,11 @@ class Simulation {
   /// Number of wrenches that act now or are to come.
   std::size_t wrenchCount() const;
 
+  /// The wrenches that act on a body now.
+  const std::vector<PointWrench>& activeWrenches(std::size_t body) const {
+    return schedules_[body].active();
+  }
+
   /// Sum of the wrenches applied to a body now, without gravity.
   Wrench appliedWrench(std::size_t body) const;
 
