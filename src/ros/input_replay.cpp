@@ -36,7 +36,8 @@ InputReplay::InputReplay(std::vector<Input> inputs, const std::string& world_fra
                                   "first input and lose none");
 }
 
-void InputReplay::applyDue(Simulation& simulation) {
+bool InputReplay::applyDue(Simulation& simulation) {
+  bool moved = false;
   const auto step = static_cast<std::uint64_t>(simulation.steps());
   for (; next_ < inputs_.size() && inputs_[next_].step == step; ++next_) {
     const Input& input = inputs_[next_];
@@ -44,10 +45,12 @@ void InputReplay::applyDue(Simulation& simulation) {
       if (input.time != simulation.time())
         throw std::invalid_argument(mismatch(input, simulation.time()));
       applyInput(input, world_frame_, simulation);
+      moved = moved || (input.kind != Input::WRENCH && input.kind != Input::CLEAR);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument("input " + std::to_string(next_) + ": " + error.what());
     }
   }
+  return moved;
 }
 
 }  // namespace rigid_body_sim

@@ -15,9 +15,9 @@ class InputReplay {
   /// one line, when one of them is missing.
   InputReplay(std::vector<Input> inputs, const std::string& world_frame);
 
-  /// Applies what was taken over at the step that the simulation has come to. Throws
-  /// std::invalid_argument for an input that is not of this scene.
-  void applyDue(Simulation& simulation);
+  /// Applies what was taken over at the step that the simulation has come to. Returns whether that
+  /// has moved bodies. Throws std::invalid_argument for an input that is not of this scene.
+  bool applyDue(Simulation& simulation);
 
   std::size_t size() const { return inputs_.size(); }
 

@@ -2,12 +2,11 @@
 
 #include <string>
 
-#include <ros/node_handle.h>
-
 #include <rigid_body_sim/Input.h>
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
 #include "conversions.hpp"
+#include "topic.hpp"
 
 namespace rigid_body_sim {
 
@@ -16,11 +15,14 @@ namespace rigid_body_sim {
 class Inputs {
  public:
   /// Simulation and origin are watched, not copied.
-  Inputs(ros::NodeHandle private_nh, const std::string& world_frame, Simulation& simulation,
+  Inputs(Topic<Input> topic, const std::string& world_frame, Simulation& simulation,
          const TimeOrigin& origin);
 
   /// As applyInput. Fills in header, run, number, step and time.
   void apply(Input input);
+
+  /// Of the state that the simulation is in.
+  ros::Time stamp() const { return origin_.stamp(simulation_.time()); }
 
  private:
   std::string world_frame_;
@@ -28,7 +30,7 @@ class Inputs {
   const TimeOrigin& origin_;
   std::uint32_t run_ = 0;
   std::uint64_t number_ = 0;
-  ros::Publisher publisher_;
+  Topic<Input> topic_;
 };
 
 }  // namespace rigid_body_sim

@@ -28,6 +28,7 @@ struct OutputTopics {
   Topic<tf2_msgs::TFMessage> tf;
   Topic<tf2_msgs::TFMessage> tf_static;
   Topic<visualization_msgs::MarkerArray> markers;
+  Topic<visualization_msgs::MarkerArray> live_markers;
   Topic<rosgraph_msgs::Clock> clock;  ///< empty functions unless asked for
   Topic<BodyStates> states;
   std::vector<BodyTopics> bodies;
@@ -42,6 +43,10 @@ OutputTopics openTopics(Transport& transport, const World& world, bool with_cloc
   topics.tf = transport.template open<tf2_msgs::TFMessage>("/tf", !kLatched);
   topics.tf_static = transport.template open<tf2_msgs::TFMessage>("/tf_static", kLatched);
   topics.markers = transport.template open<visualization_msgs::MarkerArray>("~markers", kLatched);
+  // after the bodies: a publisher latches its own messages only, and whoever comes late is sent the
+  // bodies, not old arrows
+  topics.live_markers =
+      transport.template open<visualization_msgs::MarkerArray>("~markers", !kLatched);
   topics.states = transport.template open<BodyStates>("~states", !kLatched);
   if (with_clock) topics.clock = transport.template open<rosgraph_msgs::Clock>("/clock", !kLatched);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {

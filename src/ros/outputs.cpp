@@ -1,5 +1,6 @@
 #include "outputs.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "markers.hpp"
@@ -7,6 +8,9 @@
 
 namespace rigid_body_sim {
 namespace {
+
+/// Arrows and trails are for the eye [1/s of simulation time].
+constexpr double kMarkerRate = 30;
 
 Isometry3d poseOf(const PointDef& point) {
   Isometry3d X_BF = Isometry3d::Identity();
@@ -25,7 +29,9 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
       world_frame_(scene.world_frame),
       publish_clock_(options.publish_clock),
       state_ticker_(options.publish_rate, scene.time_step),
-      clock_ticker_(options.clock_rate, scene.time_step) {
+      clock_ticker_(options.clock_rate, scene.time_step),
+      marker_ticker_(std::min(options.publish_rate, kMarkerRate), scene.time_step),
+      live_markers_(topics_.live_markers, scene.world_frame, simulation) {
   publishOnce(scene);
 }
 
@@ -50,14 +56,25 @@ void Outputs::publishDue() {
   const double t = simulation_.time();
   if (publish_clock_ && clock_ticker_.due(t)) publishClock();
   if (state_ticker_.due(t)) publishState();
+  if (marker_ticker_.due(t)) publishMarkers();
 }
 
 void Outputs::publishNow() {
   if (publish_clock_) publishClock();
   publishState();
+  publishMarkers();
 }
 
-void Outputs::restart() { last_state_stamp_ = last_clock_stamp_ = ros::Time(); }
+void Outputs::restart() {
+  last_state_stamp_ = last_clock_stamp_ = last_marker_stamp_ = ros::Time();
+}
+
+void Outputs::publishMarkers() {
+  const ros::Time stamp = origin_.stamp(simulation_.time());
+  if (stamp <= last_marker_stamp_) return;
+  last_marker_stamp_ = stamp;
+  live_markers_.publish(stamp);
+}
 
 void Outputs::publishClock() {
   rosgraph_msgs::Clock message;

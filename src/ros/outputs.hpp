@@ -7,6 +7,7 @@
 #include <rigid_body_sim/scene/scene.hpp>
 
 #include "conversions.hpp"
+#include "live_markers.hpp"
 #include "node_options.hpp"
 #include "output_topics.hpp"
 #include "ticker.hpp"
@@ -32,10 +33,14 @@ class Outputs {
   /// Time has been set back to the start.
   void restart();
 
+  /// Bodies have been moved other than by time.
+  void breakTrails() { live_markers_.breakTrails(); }
+
  private:
   void publishOnce(const Scene& scene);
   void publishState();
   void publishClock();
+  void publishMarkers();
   void publishTransforms(const ros::Time& stamp);
   void publishBody(const BodyTopics& topics, const ros::Time& stamp);
 
@@ -46,8 +51,11 @@ class Outputs {
   bool publish_clock_;
   Ticker state_ticker_;
   Ticker clock_ticker_;
+  Ticker marker_ticker_;
   ros::Time last_state_stamp_;
   ros::Time last_clock_stamp_;
+  ros::Time last_marker_stamp_;
+  LiveMarkers live_markers_;
 };
 
 }  // namespace rigid_body_sim

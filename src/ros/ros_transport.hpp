@@ -12,19 +12,21 @@ namespace rigid_body_sim {
 /// Topics that are published. See openTopics.
 class RosTransport {
  public:
-  explicit RosTransport(const ros::NodeHandle& nh) : nh_(nh) {}
+  /// queue_size: messages that may wait for each subscriber.
+  explicit RosTransport(const ros::NodeHandle& nh, std::uint32_t queue_size = 100)
+      : nh_(nh), queue_size_(queue_size) {}
 
   template <class Message>
   Topic<Message> open(const std::string& name, bool latched) {
-    constexpr std::uint32_t kQueueSize = 100;
     const ros::Publisher publisher =
-        nh_.advertise<Message>(ros::names::resolve(name), kQueueSize, latched);
+        nh_.advertise<Message>(ros::names::resolve(name), queue_size_, latched);
     return {[publisher] { return publisher.getNumSubscribers() > 0; },
             [publisher](const Message& message, const ros::Time&) { publisher.publish(message); }};
   }
 
  private:
   ros::NodeHandle nh_;
+  std::uint32_t queue_size_;
 };
 
 }  // namespace rigid_body_sim

@@ -14,10 +14,8 @@ namespace {
 
 constexpr std::uint32_t kQueueSize = 100;
 
-/// Wrenches that act or are to come: a sender without end must not fill the memory.
-constexpr std::size_t kMostWrenches = 10000;
-constexpr const char* kTooManyWrenches =
-    "there must be less than 10000 wrenches that act or are to come";
+/// On a body, acting or to come: a sender without end must not fill the memory, nor the time.
+constexpr std::size_t kMostWrenches = 1000;
 
 /// Given to roscpp [s] to write the last diagnostics: a shutdown drops what is not written yet.
 constexpr double kTimeToWrite = 0.2;
@@ -36,9 +34,7 @@ Simulation makeSimulation(const Scene& scene) {
   checkNames(scene);
   World world = buildWorld(scene);
   State initial = initialState(scene, world);
-  Simulation simulation(std::move(world), std::move(initial));
-  if (simulation.world().solver.integrator == "auto") simulation.trackError();
-  return simulation;
+  return Simulation(std::move(world), std::move(initial));
 }
 
 ros::NodeHandle onQueue(const std::string& name_space, ros::CallbackQueue& queue) {
@@ -50,6 +46,11 @@ ros::NodeHandle onQueue(const std::string& name_space, ros::CallbackQueue& queue
 OutputTopics rosTopics(const ros::NodeHandle& nh, const World& world, const NodeOptions& options) {
   RosTransport transport(nh);
   return openTopics(transport, world, options.publish_clock);
+}
+
+Topic<Input> inputsTopic(const ros::NodeHandle& nh) {
+  constexpr std::uint32_t kASecond = 10000;  // of inputs that wait for a listener
+  return RosTransport(nh, kASecond).open<Input>("~inputs", false);
 }
 
 std::vector<std::string> movingBodies(const World& world) {
@@ -73,8 +74,9 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       time_(options, nh_, queue_),
       outputs_(rosTopics(nh_, simulation_.world(), options), options, scene, simulation_,
                time_.origin()),
-      inputs_(private_nh_, scene.world_frame, simulation_, time_.origin()),
+      inputs_(inputsTopic(nh_), scene.world_frame, simulation_, time_.origin()),
       monitor_(nh_, private_nh_, scene.world_frame, time_.origin()),
+      mouse_(private_nh_, scene, simulation_, inputs_, options.wrench_timeout, refusals_),
       doors_(
           nh_, private_nh_, movingBodies(simulation_.world()), time_.origin(),
           [this](const WrenchRequest& request) { return take(request); },
@@ -119,16 +121,28 @@ double SimulationNode::nextTime() const {
 void SimulationNode::serve(double seconds) {
   queue_.callAvailable(ros::WallDuration(seconds));
   if (time_.takeSetBack()) startOver(true);
-  if (monitor_.isDue(Monitor::Clock::now())) report();
+  const Monitor::Clock::time_point now = Monitor::Clock::now();
+  mouse_.keepAlive(now);
+  if (monitor_.isDue(now)) report();
 }
 
 void SimulationNode::report() {
+  track(monitor_.isHeard());
   RunFigures figures;
   figures.overruns = time_.overruns();
   figures.refused = refusals_.count();
   figures.paused = paused_;
   figures.divergence = divergence_;
   monitor_.report(simulation_, figures, Monitor::Clock::now());
+}
+
+/// The balance, and errors with auto, are tracked while somebody listens.
+void SimulationNode::track(bool heard) {
+  if (heard == tracked_) return;
+  tracked_ = heard;
+  if (!heard) return simulation_.stopTracking();
+  simulation_.trackBalance();
+  if (simulation_.world().solver.integrator == "auto") simulation_.trackError();
 }
 
 /// Ties the wall to simulation time as it is now.
@@ -149,6 +163,7 @@ void SimulationNode::step() {
 
 /// One step and what it has to tell. Reports a divergence before it throws it on.
 void SimulationNode::advance() {
+  mouse_.pull();
   try {
     simulation_.step();
   } catch (const SimulationDiverged& error) {
@@ -162,8 +177,7 @@ void SimulationNode::advance() {
 
 /// Returns the fault of a request that is refused.
 std::string SimulationNode::take(const WrenchRequest& request) {
-  const std::string fault =
-      simulation_.wrenchCount() < kMostWrenches ? tryToTake(request) : kTooManyWrenches;
+  const std::string fault = tryToTake(request);
   if (!fault.empty()) refusals_.add(fault);
   return fault;
 }
@@ -173,13 +187,16 @@ std::string SimulationNode::tryToTake(const WrenchRequest& request) {
   static_frames_.lookUp(request.wrench.point_frame, frames_);
   const ResolvedWrench resolved =
       takeWrench(request, simulation_.world().bodies, frames_, rules_, simulation_.time());
+  if (!resolved.fault.empty()) return resolved.fault;
+  if (simulation_.wrenchCount(resolved.wrench.body) >= kMostWrenches)
+    return "body '" + request.wrench.body + "' must have less than " +
+           std::to_string(kMostWrenches) + " wrenches that act or are to come";
   try {
-    if (resolved.fault.empty())
-      inputs_.apply(wrenchInput(request.slot, resolved.wrench, simulation_.world()));
+    inputs_.apply(wrenchInput(request.slot, resolved.wrench, simulation_.world()));
   } catch (const std::invalid_argument& error) {
     return error.what();  // the scene's integrator does not accept it
   }
-  return resolved.fault;
+  return "";
 }
 
 WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::string& slot) {
@@ -189,6 +206,7 @@ WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::s
   } catch (const std::invalid_argument& error) {
     return {error.what()};
   }
+  if (slot.empty()) mouse_.letGo(body);
   return {"", before - simulation_.wrenchCount()};
 }
 
@@ -238,7 +256,9 @@ void SimulationNode::startOver(bool restart_time) {
   Input input;
   input.kind = restart_time ? Input::RESTART : Input::RESET;
   inputs_.apply(input);
+  mouse_.letGo("");
   if (restart_time) outputs_.restart();
+  outputs_.breakTrails();
   divergence_.clear();
   restartClocks();
 }
@@ -246,6 +266,7 @@ void SimulationNode::startOver(bool restart_time) {
 bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {
   try {
     inputs_.apply(setStateInput(request));
+    outputs_.breakTrails();
     response.success = true;
   } catch (const std::invalid_argument& error) {
     response.message = error.what();

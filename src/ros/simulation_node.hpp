@@ -15,6 +15,7 @@
 
 #include "inputs.hpp"
 #include "monitor.hpp"
+#include "mouse.hpp"
 #include "node_options.hpp"
 #include "outputs.hpp"
 #include "refusals.hpp"
@@ -42,6 +43,7 @@ class SimulationNode {
   void step();
   void advance();
   void report();
+  void track(bool heard);
   void restartClocks();
   void startOver(bool restart_time);
   std::string take(const WrenchRequest& request);
@@ -61,6 +63,7 @@ class SimulationNode {
   IntakeRules rules_;
   Refusals refusals_;
   bool paused_;
+  bool tracked_ = false;    // balance and errors
   std::string divergence_;  // that the simulation waits after, paused; empty: none
 
   ros::CallbackQueue queue_;
@@ -70,6 +73,7 @@ class SimulationNode {
   Outputs outputs_;
   Inputs inputs_;
   Monitor monitor_;
+  Mouse mouse_;
   WrenchDoors doors_;
   ros::Subscriber tf_static_;
   std::vector<ros::ServiceServer> services_;

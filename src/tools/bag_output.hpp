@@ -21,6 +21,9 @@ class BagOutput {
   /// Writes what is due at the step that the simulation has come to.
   void writeDue();
 
+  /// Bodies have been moved other than by time.
+  void breakTrails() { outputs_->breakTrails(); }
+
   /// Closes the bag.
   void finish();
 

@@ -26,6 +26,7 @@ Scene sceneOf(const SimulateOptions& options) {
   Scene scene = loadToolScene(options.scene, "simulate");
   scene.time_step = options.time_step.value_or(scene.time_step);
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
+  scene.tolerance_stated |= options.tolerance.has_value();
   scene.integrator = options.integrator.value_or(scene.integrator);
   return scene;
 }
@@ -46,7 +47,11 @@ struct Bags {
 /// As the node: what has come in is taken over before a step, the state is told after it.
 StepHooks hooksOf(const Bags& bags, Simulation& simulation) {
   StepHooks hooks;
-  if (bags.replay) hooks.before = [&] { bags.replay->applyDue(simulation); };
+  if (bags.replay)
+    hooks.before = [&] {
+      const bool moved = bags.replay->applyDue(simulation);
+      if (moved && bags.output) bags.output->breakTrails();
+    };
   if (bags.output) hooks.after = [&] { bags.output->writeDue(); };
   return hooks;
 }
