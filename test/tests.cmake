@@ -145,6 +145,9 @@ rigid_body_rostest(wrench_services ${driver})
 # for scripts/soak
 add_executable(garbage EXCLUDE_FROM_ALL test/soak/garbage.cpp)
 target_link_libraries(garbage rigid_body_sim_ros rigid_body_compile_options)
+# for scripts/measure_load
+add_executable(node_load EXCLUDE_FROM_ALL test/benchmark/node_load.cpp)
+target_link_libraries(node_load rigid_body_sim_ros rigid_body_compile_options)
 
 # the same program, but the scene comes as text from a launch file
 add_rostest(test/ros/remote.test DEPENDENCIES test_state_topics)

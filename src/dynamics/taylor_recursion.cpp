@@ -184,9 +184,10 @@ RIGID_BODY_SIM_INLINE void expandAsAsked(const TaylorEquations<T>& equations, bo
 template <class T>
 RIGID_BODY_SIM_INLINE void evaluate(const TaylorSeries<T>& series, bool turned, std::size_t degree,
                                     T s, TaylorIncrements<T>& increments) {
-  Lanes<T> w, q, squares, crosses, turns, c;
+  Lanes<T> w, q, squares, crosses, turns;
   load<T>(series.w[degree], w);
   load<T>(series.q[degree], q);
+  Lanes<T> c = w;  // or GCC warns where it instruments for threads
   for (std::size_t k = degree - 1; k > 0; --k) {
     load<T>(series.w[k], c);
     w = c + w * s;

@@ -25,7 +25,9 @@ std::vector<Input> recordedInputs(const rosbag::Bag& bag) {
   std::vector<Input> inputs;
   for (const rosbag::MessageInstance& message : view) {
     topics.insert(message.getTopic());
-    if (const Input::ConstPtr input = message.instantiate<Input>()) inputs.push_back(*input);
+    const Input::ConstPtr input = message.instantiate<Input>();
+    if (!input) throw std::invalid_argument(message.getTopic() + " is of another version");
+    inputs.push_back(*input);
   }
   if (topics.size() > 1)
     throw std::invalid_argument("must hold the inputs of one node, got " + *topics.begin() +
