@@ -67,8 +67,12 @@ target_compile_definitions(test_scene PRIVATE
 
 rigid_body_gtest(test_node
   SOURCES
+    test/ros/test_arrow_markers.cpp
     test/ros/test_conversions.cpp
+    test/ros/test_handles.cpp
     test/ros/test_markers.cpp
+    test/ros/test_mouse_holds.cpp
+    test/ros/test_mouse_spring.cpp
     test/ros/test_node_options.cpp
     test/ros/test_pacing.cpp
     test/ros/test_state_requests.cpp
@@ -118,6 +122,11 @@ rigid_body_rostest(doors ${driver})
 rigid_body_rostest(monitor ${driver})
 rigid_body_rostest(process)
 rigid_body_rostest(reset ${driver})
+rigid_body_rostest(rviz ${driver})
+# the viewers' side of the handles
+find_package(interactive_markers REQUIRED)
+target_include_directories(test_rviz SYSTEM PRIVATE ${interactive_markers_INCLUDE_DIRS})
+target_link_libraries(test_rviz ${interactive_markers_LIBRARIES})
 rigid_body_rostest(services ${driver})
 rigid_body_rostest(state_topics ${driver})
 rigid_body_rostest(wrench_services ${driver})
@@ -129,8 +138,10 @@ endforeach()
 rigid_body_gtest(test_taylor
   SOURCES
     test/dynamics/test_taylor_accuracy.cpp
+    test/dynamics/test_taylor_bound.cpp
     test/dynamics/test_taylor_segment.cpp
   LIBRARIES rigid_body_sim_core)
+target_include_directories(test_taylor PRIVATE src)
 
 rigid_body_gtest(test_rotor
   SOURCES

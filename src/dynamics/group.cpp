@@ -19,6 +19,7 @@ struct NoMeter {
 
 Group::Group(const World& world, const CoupledBodies& bodies, const MethodChoice& choice)
     : members_(bodies.members), choice_(choice), states_(members_.size()) {
+  if (world.solver.tolerance_stated) bound_ = {world.solver.tolerance, world.solver.horizon};
   system_.g_W = world.g_W;
   for (std::size_t body : members_) {
     system_.bodies.push_back(&world.bodies[body]);
@@ -101,7 +102,7 @@ void Group::solve(double t, double t_end, double next_event, Meter& meter) {
   constexpr int kMostSegments = 1000000;
   const auto anchor = [&](double at) {
     solved_.emplace(*system_.bodies[0], system_.held[0], system_.g_W, at, states_[0],
-                    next_event - at);
+                    next_event - at, bound_);
   };
   if (!solved_) anchor(t);
   for (int segments = 0; !(solved_->validUntil() >= t_end); ++segments) {

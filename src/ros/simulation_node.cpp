@@ -58,6 +58,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       private_nh_(onQueue("~", queue_)),
       outputs_(nh_, private_nh_, options, scene, simulation_, origin_),
       monitor_(nh_, private_nh_, scene.world_frame, origin_),
+      mouse_(private_nh_, scene, simulation_, origin_, options.wrench_timeout, refusals_),
       doors_(
           nh_, private_nh_, movingBodies(simulation_.world()), origin_,
           [this](const WrenchRequest& request) { return take(request); },
@@ -96,7 +97,9 @@ void SimulationNode::serveUntilDue() {
 /// Waits for a callback for that long at most, serves all there are, and reports when that is due.
 void SimulationNode::serve(double seconds) {
   queue_.callAvailable(ros::WallDuration(seconds));
-  if (monitor_.isDue(Monitor::Clock::now())) report();
+  const Monitor::Clock::time_point now = Monitor::Clock::now();
+  mouse_.keepAlive(now);
+  if (monitor_.isDue(now)) report();
 }
 
 void SimulationNode::report() {
@@ -137,6 +140,7 @@ void SimulationNode::step() {
 
 /// One step and what it has to tell. Reports a divergence before it throws it on.
 void SimulationNode::advance() {
+  mouse_.pull();
   try {
     simulation_.step();
   } catch (const SimulationDiverged& error) {
@@ -177,6 +181,7 @@ WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::s
       simulation_.clearWrenches(i, slot);
   }
   if (!known) return {"unknown body '" + body + "'"};
+  if (slot.empty()) mouse_.letGo(body);
   return {"", before - simulation_.wrenchCount()};
 }
 
@@ -214,7 +219,9 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
 
 bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   simulation_.reset(options_.reset_time);
+  mouse_.letGo("");
   if (options_.reset_time) outputs_.restart();
+  outputs_.breakTrails();
   divergence_.clear();
   restartClocks();
   response.success = true;
@@ -225,7 +232,10 @@ bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 
 bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {
   const RequestedState requested = takeState(request, simulation_.world(), rules_.world_frame);
-  if (requested.fault.empty()) simulation_.setState(requested.body, requested.state);
+  if (requested.fault.empty()) {
+    simulation_.setState(requested.body, requested.state);
+    outputs_.breakTrails();
+  }
   response.success = requested.fault.empty();
   response.message = requested.fault;
   return true;

@@ -14,6 +14,7 @@
 #include <rigid_body_sim/scene/frames.hpp>
 
 #include "monitor.hpp"
+#include "mouse.hpp"
 #include "node_options.hpp"
 #include "outputs.hpp"
 #include "pacer.hpp"
@@ -68,6 +69,7 @@ class SimulationNode {
   ros::NodeHandle private_nh_;
   Outputs outputs_;
   Monitor monitor_;
+  Mouse mouse_;
   WrenchDoors doors_;
   ros::Subscriber tf_static_;
   std::vector<ros::ServiceServer> services_;

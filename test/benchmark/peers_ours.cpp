@@ -78,13 +78,14 @@ Run ourRun(const Problem& p, const std::string& setting, const World& world) {
   return run;
 }
 
-/// In one step, over a ladder of tolerances: the error does not depend on the step.
+/// In one step, as the error does not depend on it: to rounding, and over a ladder of tolerances.
 std::vector<Run> autoRuns(const Problem& p) {
-  std::vector<Run> runs;
-  for (double tolerance = 1e-2; tolerance > 1e-12; tolerance /= 2) {
-    World world = worldOf(p, "auto", p.duration);
+  World world = worldOf(p, "auto", p.duration);
+  world.solver.horizon = p.duration;
+  std::vector<Run> runs{ourRun(p, "auto", world)};
+  world.solver.tolerance_stated = true;
+  for (double tolerance = 1e-12; tolerance < 1; tolerance *= 2) {
     world.solver.tolerance = tolerance;
-    world.solver.horizon = p.duration;
     runs.push_back(ourRun(p, label("auto", "tolerance", tolerance), world));
   }
   return runs;

@@ -64,6 +64,7 @@ class Group {
   Workspace workspace_;
   std::vector<BodyState> states_;       // of the members, while they are advanced
   std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
+  ErrorBound bound_;                    // of a solved motion; none: to rounding
   double law_rate_ = 0;                 // [1/s] the fastest that laws bring about at any state
   int most_parts_ = 1;
 };

@@ -60,6 +60,11 @@ class Simulation {
   /// Number of wrenches that act now or are to come.
   std::size_t wrenchCount() const;
 
+  /// The wrenches that act on a body now.
+  const std::vector<PointWrench>& activeWrenches(std::size_t body) const {
+    return schedules_[body].active();
+  }
+
   /// Sum of the wrenches applied to a body now, without gravity.
   Wrench appliedWrench(std::size_t body) const;
 
@@ -71,8 +76,8 @@ class Simulation {
   std::int64_t evaluations() const;
 
   /// From now on a second simulation runs along at twice the step, for half the cost: by how much
-  /// the two differ tells the error (Richardson). Bodies whose motion is solved differ by rounding
-  /// only; where all are, nothing runs along.
+  /// the two differ tells the error (Richardson). Bodies whose motion is solved
+  /// to rounding do not count; where all are, nothing runs along.
   void trackError();
 
   /// The greatest error so far since trackError, estimated at every other step: the difference of
@@ -116,7 +121,7 @@ class Simulation {
   void trackedStep();
   void formGroups(double most_trial_steps);
   MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
-  bool allSolved() const;
+  bool solvedToRounding(const Group& group) const;
   void startCoarse();
   void followCoarse();
   void startBalance();
