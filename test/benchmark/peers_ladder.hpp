@@ -15,7 +15,7 @@ namespace rigid_body_sim::peers {
 /// Processor time of run(start), the least of several, each from a start of its own by make().
 template <class Make, class Execute>
 Run timedRun(const std::string& setting, const Make& make, const Execute& execute) {
-  constexpr double kBudget = 0.03;  // [s]
+  constexpr double kBudget = 0.01;  // [s]
   constexpr int kMostRuns = 100;
   Run run;
   run.setting = setting;

@@ -44,7 +44,7 @@ struct RightHandSide {
 
 template <class Integrate>
 Run timed(const Problem& problem, const std::string& setting, const Integrate& integrate) {
-  constexpr double kBudget = 0.03;  // [s]
+  constexpr double kBudget = 0.01;  // [s]
   State start{};
   start[9] = 1;
   std::copy(problem.w.begin(), problem.w.end(), start.begin() + 10);

@@ -61,7 +61,7 @@ Quaternion<long double> trueAttitude(const Problem& p) {
 }
 
 Run ourRun(const Problem& p, const std::string& setting, const World& world) {
-  constexpr double kBudget = 0.03;  // [s]
+  constexpr double kBudget = 0.01;  // [s]
   State initial;
   initial.bodies = {startOf(p, world.bodies[0])};
   Run run;

@@ -57,7 +57,7 @@ template <class Integrator>
 void addLadder(const char* name, const Problem& problem, std::vector<Run>& runs) {
   constexpr double kLongest = 5;  // [s] of processor time
   double error = 1;
-  for (double accuracy = 1e-2; accuracy > 1e-14 && error > kTargets.back(); accuracy /= 3) {
+  for (double accuracy = 1e-2; accuracy > 1e-14 && error > kTargets.back(); accuracy /= 10) {
     try {
       runs.push_back(timedRun(
           label(name, "accuracy", accuracy),
