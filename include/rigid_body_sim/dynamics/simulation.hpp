@@ -84,9 +84,9 @@ class Simulation {
   /// the two runs over 2^order − 1. Infinite once the second run has diverged.
   const ErrorEstimate& errorEstimate() const { return error_; }
 
-  /// From now on every step is metered, for what it takes to follow it once or twice more
-  /// (ExchangeMeter); the motion keeps its bits. The balance starts anew with a body's state set
-  /// from outside and with a reset.
+  /// From now on every step is metered (ExchangeMeter), at the price of half the order and one more
+  /// steps of a stepped motion, of a few evaluations of a solved one; the run keeps its bits. The
+  /// balance starts anew with a body's state set from outside and with a reset.
   void trackBalance();
 
   /// E − E₀ − work, p − p₀ − ∫f and L − L₀ − ∫τ since the balance was started; not numbers unless
