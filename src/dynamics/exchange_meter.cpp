@@ -44,7 +44,7 @@ void ExchangeMeter::solve(const System& system, double h, const BodyState& start
   BodyState state = start;
   double t = 0;
   for (int segments = 0; t < h; ++segments) {
-    const SolvedMotion motion(*system.bodies[0], system.held[0], system.g_W, t, state, h - t);
+    const SolvedMotion motion(*system.bodies[0], system.held[0], system.g_W, t, state, h - t, {});
     const double t_end = std::min(h, motion.validUntil());
     if (!(t_end > t) || segments == kMostSegments) {
       sum_ = Totals::unknown();

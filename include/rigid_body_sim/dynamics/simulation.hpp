@@ -59,6 +59,7 @@ class Simulation {
 
   /// Number of wrenches that act now or are to come.
   std::size_t wrenchCount() const;
+  std::size_t wrenchCount(std::size_t body) const { return schedules_[body].size(); }
 
   /// The wrenches that act on a body now.
   const std::vector<PointWrench>& activeWrenches(std::size_t body) const {
