@@ -92,9 +92,11 @@ std::vector<UrdfLink> readUrdf(const std::string& path) {
   urdf::ModelInterfaceSharedPtr model;
   std::string reason = xmlFault(xml);
   try {
-    if (reason.empty()) model = urdf::parseURDF(xml);
-    if (reason.empty()) reason = messages.firstError();
-    if (!model && reason.empty()) reason = "not the XML of a robot";
+    if (reason.empty()) {
+      model = urdf::parseURDF(xml);
+      reason = messages.firstError();
+      if (!model && reason.empty()) reason = "not the XML of a robot";
+    }
   } catch (const std::exception& e) {
     reason = e.what();
   }
