@@ -15,6 +15,7 @@ endfunction()
 rigid_body_gtest(test_math
   SOURCES
     test/math/test_compensated_sum.cpp
+    test/math/test_gauss_legendre.cpp
     test/math/test_hat.cpp
   LIBRARIES rigid_body_sim_core)
 
@@ -35,6 +36,7 @@ rigid_body_gtest(test_dynamics
     test/dynamics/test_law_motion.cpp
     test/dynamics/test_laws.cpp
     test/dynamics/test_auto.cpp
+    test/dynamics/test_balance.cpp
     test/dynamics/test_methods.cpp
     test/dynamics/test_stiff_laws.cpp
     test/dynamics/test_simulation.cpp
@@ -67,8 +69,12 @@ target_compile_definitions(test_scene PRIVATE
 
 rigid_body_gtest(test_node
   SOURCES
+    test/ros/test_arrow_markers.cpp
     test/ros/test_conversions.cpp
+    test/ros/test_handles.cpp
     test/ros/test_markers.cpp
+    test/ros/test_mouse_holds.cpp
+    test/ros/test_mouse_spring.cpp
     test/ros/test_node_options.cpp
     test/ros/test_pacing.cpp
     test/ros/test_state_requests.cpp
@@ -94,7 +100,8 @@ rigid_body_gtest(test_trade
   SOURCES
     test/tools/test_trade_measures.cpp
     test/tools/test_trade_program.cpp
-  LIBRARIES rigid_body_trade)
+    test/tools/test_trade_scenes.cpp
+  LIBRARIES rigid_body_trade rigid_body_sim_scene)
 target_compile_definitions(test_trade PRIVATE
   RIGID_BODY_SIM_TRADE="$<TARGET_FILE:trade>"
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
@@ -117,6 +124,11 @@ rigid_body_rostest(doors ${driver})
 rigid_body_rostest(monitor ${driver})
 rigid_body_rostest(process)
 rigid_body_rostest(reset ${driver})
+rigid_body_rostest(rviz ${driver})
+# the viewers' side of the handles
+find_package(interactive_markers REQUIRED)
+target_include_directories(test_rviz SYSTEM PRIVATE ${interactive_markers_INCLUDE_DIRS})
+target_link_libraries(test_rviz ${interactive_markers_LIBRARIES})
 rigid_body_rostest(services ${driver})
 rigid_body_rostest(state_topics ${driver})
 rigid_body_rostest(wrench_services ${driver})
@@ -128,8 +140,10 @@ endforeach()
 rigid_body_gtest(test_taylor
   SOURCES
     test/dynamics/test_taylor_accuracy.cpp
+    test/dynamics/test_taylor_bound.cpp
     test/dynamics/test_taylor_segment.cpp
   LIBRARIES rigid_body_sim_core)
+target_include_directories(test_taylor PRIVATE src)
 
 rigid_body_gtest(test_rotor
   SOURCES

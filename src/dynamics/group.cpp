@@ -7,9 +7,19 @@
 #include <rigid_body_sim/dynamics/group.hpp>
 
 namespace rigid_body_sim {
+namespace {
+
+/// Stands for an ExchangeMeter where nobody asks, and costs nothing.
+struct NoMeter {
+  void step(const Method&, const System&, double, const std::vector<BodyState>&) {}
+  void solved(const System&, const SolvedMotion&, double, double) {}
+};
+
+}  // namespace
 
 Group::Group(const World& world, const CoupledBodies& bodies, const MethodChoice& choice)
     : members_(bodies.members), choice_(choice), states_(members_.size()) {
+  if (world.solver.tolerance_stated) bound_ = {world.solver.tolerance, world.solver.horizon};
   system_.g_W = world.g_W;
   for (std::size_t body : members_) {
     system_.bodies.push_back(&world.bodies[body]);
@@ -37,14 +47,26 @@ void Group::restart(double t, std::vector<WrenchSchedule>& schedules) {
 
 void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
                     std::vector<BodyState>& bodies) {
+  NoMeter none;
+  advanceMetered(t, t_end, schedules, bodies, none);
+}
+
+void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
+                    std::vector<BodyState>& bodies, ExchangeMeter& meter) {
+  advanceMetered(t, t_end, schedules, bodies, meter);
+}
+
+template <class Meter>
+void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules,
+                           std::vector<BodyState>& bodies, Meter& meter) {
   for (std::size_t k = 0; k < members_.size(); ++k) states_[k] = bodies[members_[k]];
 
   while (t < t_end) {
     // up to the next event, or to the end
     double t_next = t_end;
     for (std::size_t body : members_) t_next = std::min(t_next, schedules[body].nextEvent());
-    if (t_next > t && choice_.method) stepInParts(t_next - t);
-    if (t_next > t && !choice_.method) solve(t, t_next, schedules[members_[0]].nextEvent());
+    if (t_next > t && choice_.method) stepInParts(t_next - t, meter);
+    if (t_next > t && !choice_.method) solve(t, t_next, schedules[members_[0]].nextEvent(), meter);
     t = t_next;
 
     // what starts and ends there
@@ -75,21 +97,24 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
 }
 
 /// Evaluates the solution at t_end, anchored anew where a series ends and, after an event, at t.
-void Group::solve(double t, double t_end, double next_event) {
+template <class Meter>
+void Group::solve(double t, double t_end, double next_event, Meter& meter) {
   constexpr int kMostSegments = 1000000;
   const auto anchor = [&](double at) {
     solved_.emplace(*system_.bodies[0], system_.held[0], system_.g_W, at, states_[0],
-                    next_event - at);
+                    next_event - at, bound_);
   };
   if (!solved_) anchor(t);
   for (int segments = 0; !(solved_->validUntil() >= t_end); ++segments) {
     const double t_valid = solved_->validUntil();
     if (!(t_valid > t) || segments == kMostSegments)
       throw StepTooLong("the motion is too fast to be followed");
+    meter.solved(system_, *solved_, t, t_valid);
     states_[0] = solved_->at(t_valid);
     anchor(t_valid);
     t = t_valid;
   }
+  meter.solved(system_, *solved_, t, t_end);
   states_[0] = solved_->at(t_end);
 }
 
@@ -115,7 +140,8 @@ double Group::fastestRate(double h) const {
 }
 
 /// One step of the method, or as many as it takes for it to follow what is fastest.
-void Group::stepInParts(double h) {
+template <class Meter>
+void Group::stepInParts(double h, Meter& meter) {
   const Method& method = *choice_.method;
   const double turn = h * fastestRate(h);
   const double needed = std::ceil(turn / (method.most_turn * choice_.most_turn_share));
@@ -128,8 +154,10 @@ void Group::stepInParts(double h) {
     throw StepTooLong(reason.str());
   }
   if (needed > choice_.parts) most_parts_ = std::max(most_parts_, static_cast<int>(needed));
-  for (int k = 0; k < static_cast<int>(parts); ++k)
+  for (int k = 0; k < static_cast<int>(parts); ++k) {
+    meter.step(method, system_, h / parts, states_);
     method.step(system_, h / parts, states_, workspace_);
+  }
 }
 
 }  // namespace rigid_body_sim

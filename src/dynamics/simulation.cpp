@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -22,6 +23,11 @@ const char* nonFiniteQuantity(const BodyState& s) {
   if (!s.p_W.allFinite()) return "momentum is no longer finite";
   if (!s.L_W.allFinite() || !s.L_P.allFinite()) return "angular momentum is no longer finite";
   return nullptr;
+}
+
+/// Finite only where all coefficients are: one test for the rule, nonFiniteQuantity for the rest.
+double sumOfAll(const BodyState& s) {
+  return (s.x_W + s.x_low_W + s.p_W + s.L_W + s.L_P).sum() + s.q_WP.coeffs().sum();
 }
 
 }  // namespace
@@ -48,32 +54,57 @@ void Simulation::reset(bool restart_time) {
   formGroups(kTrialAtStart);
   coarse_.reset();
   error_ = ErrorEstimate();
+  startBalance();
 }
 
 void Simulation::step() {
+  if (tracked_) return trackedStep();
+  stepBy([](Group& group, auto&... between) { group.advance(between...); });
+}
+
+void Simulation::trackedStep() {
+  if (balance_) {
+    ExchangeMeter& meter = balance_->beginStep();
+    stepBy([&](Group& group, auto&... between) { group.advance(between..., meter); });
+    balance_->endStep();
+  } else {
+    stepBy([](Group& group, auto&... between) { group.advance(between...); });
+  }
+  if (tracks_error_ && steps_ % 2 == 0) followCoarse();
+}
+
+/// One step, each group by advance(group, t, t_end, schedules, bodies).
+template <class Advance>
+void Simulation::stepBy(const Advance& advance) {
   next_ = state_;
   next_.t = static_cast<double>(steps_ + 1) * world_->solver.time_step;
   for (Group& group : groups_) {
     try {
-      group.advance(state_.t, next_.t, schedules_, next_.bodies);
+      advance(group, state_.t, next_.t, schedules_, next_.bodies);
     } catch (const StepTooLong& reason) {
       throw SimulationDiverged(state_.t, world_->bodies[group.members().front()].name,
                                reason.what());
     }
   }
-  for (std::size_t i = 0; i < next_.bodies.size(); ++i)
+  acceptStep();
+}
+
+/// Makes the step's end the present, where it is finite.
+void Simulation::acceptStep() {
+  for (std::size_t i = 0; i < next_.bodies.size(); ++i) {
+    if (std::isfinite(sumOfAll(next_.bodies[i]))) continue;
     if (const char* quantity = nonFiniteQuantity(next_.bodies[i]))
       throw SimulationDiverged(state_.t, world_->bodies[i].name, quantity);
+  }
   std::swap(state_, next_);
   ++steps_;
-  if (tracks_error_ && steps_ % 2 == 0) followCoarse();
 }
 
 State Simulation::sample(double t) const {
-  Simulation copy(*this);  // shares the run beside it, which sampling leaves alone
-  for (Group& group : copy.groups_) group.advance(state_.t, t, copy.schedules_, copy.state_.bodies);
-  copy.state_.t = t;
-  return std::move(copy.state_);
+  std::vector<WrenchSchedule> schedules = schedules_;
+  State state{t, state_.bodies};
+  for (Group group : groups_) group.advance(state_.t, t, schedules, state.bodies);
+  return state;
 }
 
 void Simulation::formGroups(double most_trial_steps) {
@@ -166,6 +197,7 @@ void Simulation::setState(std::size_t body, const BodyState& state) {
   state_.bodies[body] = state;
   groups_[group_of_[body]].restart(state_.t, schedules_);
   coarse_.reset();
+  startBalance();
 }
 
 }  // namespace rigid_body_sim

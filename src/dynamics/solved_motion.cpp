@@ -5,12 +5,13 @@
 namespace rigid_body_sim {
 
 SolvedMotion::SolvedMotion(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
-                           double t, const BodyState& state, double horizon)
+                           double t, const BodyState& state, double horizon,
+                           const ErrorBound& bound)
     : anchor_(t), motion_(TaylorPointer()) {
   if (wrench.torqueFree())
     motion_ = FreeFlight(body, wrench.f_W + body.mass * g_W, state);
   else
-    motion_ = std::make_shared<const TaylorSegment>(body, wrench, g_W, state, horizon);
+    motion_ = std::make_shared<const TaylorSegment>(body, wrench, g_W, state, horizon, bound);
 }
 
 double SolvedMotion::validUntil() const {

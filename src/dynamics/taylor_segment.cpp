@@ -3,251 +3,245 @@
 
 #include <rigid_body_sim/dynamics/taylor_segment.hpp>
 
+#include "taylor_recursion.hpp"
 #include "taylor_terms.hpp"
 
 namespace rigid_body_sim {
+namespace {
 
-/// What stays constant over the segment, in the units of the scene.
+template <class T, int n>
+Vector3<T> vectorOf(const T (&lanes)[n]) {
+  return Vector3<T>(lanes[0], lanes[1], lanes[2]);
+}
+
 template <class T>
-struct TaylorSegmentT<T>::Equations {
-  Array4 w_P;         ///< [rad/s] at the start
-  Array4 gyroscopic;  ///< (I₂ − I₃)/I₁ and cyclic: ω₁' = gyroscopic₁ ω₂ ω₃ + …
-  Array4 inv_I;       ///< [1/(kg m²)]
-  Array4 alpha_P;     ///< [rad/s²] I⁻¹ tau_P
-  Vector3<T> tau_P;   ///< [N m]
-  Vector3<T> f_P;     ///< [N]
-  Matrix3<T> moments;             ///< [N m] Σ armᵢ forceᵢᵀ, arms in P, forces in W
-  Vector3<T> pull_W;              ///< [N] sum of the forces at world points
-  Vector3<T> v_W;                 ///< [m/s] at the start
-  std::array<Array4, 9> turning;  ///< [rad/s²] I⁻¹ × torque in P = Σ R(j, l) turning[3 j + l]
-};
+Array4<T> arrayOf(const T (&lanes)[4]) {
+  return Array4<T>(lanes[0], lanes[1], lanes[2], lanes[3]);
+}
+
+template <class T, int n, class V>
+void assign(T (&to)[n], const V& from) {
+  for (int i = 0; i < 3; ++i) to[i] = from[i];
+  if (n == 4) to[n - 1] = T(0);
+}
+
+template <class T>
+T maxAbs(const T (&lanes)[4]) {
+  return std::max(std::max(std::abs(lanes[0]), std::abs(lanes[1])),
+                  std::max(std::abs(lanes[2]), std::abs(lanes[3])));
+}
+
+/// [1/s] At what the motion changes, by the sizes of rates and accelerations at the start.
+template <class T>
+T rateOf(const T (&w)[4], const TaylorEquations<T>& equations) {
+  T square = maxAbs(equations.steady);
+  for (const T(&column)[4] : equations.turning) square = std::max(square, maxAbs(column) / T(2));
+  return std::max(maxAbs(w), std::sqrt(square));
+}
+
+template <class T>
+T rateOf(const TaylorPull<T>& pull) {
+  const T inv_I = vectorOf(pull.inv_I).maxCoeff();
+  return std::max(
+      std::cbrt(vectorOf(pull.linear_W).cwiseAbs().maxCoeff() * inv_I),
+      std::sqrt(std::sqrt(T(2) * vectorOf(pull.quadratic_W).cwiseAbs().maxCoeff() * inv_I)));
+}
+
+/// What a segment may err by, its motion turning by an angle: each of the θ radians of the whole
+/// run by an equal share of the bound, since an error of the angular velocity grows to up to θ
+/// times as much in the attitude by the end. A segment shorter than a radian has its part of the
+/// share.
+template <class T>
+T precisionFor(T rate, T angle, const ErrorBound& bound) {
+  const T theta = std::max(T(1), rate * T(bound.horizon));
+  const T share = T(bound.attitude) / (T(20) * theta * theta);
+  return std::max(std::numeric_limits<T>::epsilon(), share * std::min(angle, T(1)));
+}
+
+/// From units of the scene to those in which time is measured in time_unit.
+template <class T>
+void scale(T time_unit, T (&w)[4], TaylorEquations<T>& equations) {
+  for (T& lane : w) lane *= time_unit;
+  for (T& lane : equations.steady) lane = lane * time_unit * time_unit;
+  for (T(&column)[4] : equations.turning)
+    for (T& lane : column) lane = lane * time_unit * time_unit;
+}
+
+template <class T>
+void scale(T time_unit, TaylorPull<T>& pull) {
+  for (int i = 0; i < 3; ++i) {
+    pull.inv_I[i] = pull.inv_I[i] * time_unit * time_unit;
+    pull.linear_W[i] *= time_unit;
+    pull.quadratic_W[i] = pull.quadratic_W[i] * time_unit * time_unit;
+    pull.acceleration_P[i] = pull.acceleration_P[i] * time_unit * time_unit;
+  }
+}
+
+}  // namespace
 
 template <class T>
 TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
-                                  const BodyStateT<T>& start, T horizon)
+                                  const BodyStateT<T>& start, T horizon, const ErrorBound& bound)
     : start_(start),
       I_(body.I.template cast<T>()),
       inv_mass_(T(1) / T(body.mass)),
-      f_W_((wrench.f_W).template cast<T>() + T(body.mass) * g_W.template cast<T>()),
+      f_W_(wrench.f_W.template cast<T>() + T(body.mass) * g_W.template cast<T>()),
       a_W_(wrench.f_W.template cast<T>() * inv_mass_ + g_W.template cast<T>()),
+      f_P_(wrench.f_P.template cast<T>()),
       tau_W_(wrench.tau_W.template cast<T>()),
+      tau_P_(wrench.tau_P.template cast<T>()),
+      moments_(Matrix3<T>::Zero()),
       body_force_(!wrench.f_P.isZero(0)),
-      body_torque_(!wrench.tau_P.isZero(0) || !wrench.levers.empty() || !wrench.pulls.empty()) {
-  Equations e;
-  e.w_P = lanes<T>(start.L_P.cwiseQuotient(I_));
-  e.inv_I = lanes<T>(I_.cwiseInverse());
-  e.gyroscopic =
-      Array4((I_[1] - I_[2]) / I_[0], (I_[2] - I_[0]) / I_[1], (I_[0] - I_[1]) / I_[2], T(0));
-  e.tau_P = wrench.tau_P.template cast<T>();
-  e.f_P = wrench.f_P.template cast<T>();
-  e.alpha_P = e.inv_I * lanes<T>(e.tau_P);
-  e.moments.setZero();
+      body_torque_(!wrench.tau_P.isZero(0) || !wrench.levers.empty() || !wrench.pulls.empty()),
+      pulled_(!wrench.pulls.empty()),
+      turned_(body_force_ || body_torque_ || !tau_W_.isZero(0)) {
   for (const HeldWrench::Lever& lever : wrench.levers)
-    e.moments += lever.arm_P.template cast<T>() * lever.force_W.template cast<T>().transpose();
-  e.pull_W.setZero();
+    moments_ += lever.arm_P.template cast<T>() * lever.force_W.template cast<T>().transpose();
+  Vector3<T> pull_W = Vector3<T>::Zero();
   for (const HeldWrench::Pull& pull : wrench.pulls) {
     const Vector3<T> force_W = pull.force_W.template cast<T>();
-    e.pull_W += force_W;
+    pull_W += force_W;
     tau_W_ += ((pull.point_W.template cast<T>() - start.x_W) - start.x_low_W).cross(force_W);
   }
-  e.v_W = start.p_W * inv_mass_;
 
-  e.turning.fill(Array4::Zero());
-  T square = maxAbs(e.alpha_P);
-  const bool turned = !tau_W_.isZero(0) || !wrench.levers.empty();
-  if (turned) {
-    for (int j = 0; j < 3; ++j) {
-      for (int l = 0; l < 3; ++l) {
-        const Vector3<T> axis = Vector3<T>::Unit(l);
-        Array4& column = e.turning[static_cast<std::size_t>(3 * j + l)];
-        column = e.inv_I * lanes<T>(tau_W_[j] * axis + e.moments.col(j).cross(axis));
-        square = std::max(square, maxAbs(column));
-      }
-    }
+  TaylorEquations<T> equations;
+  setUp(equations);
+  T rate = rateOf(series_.w[0], equations);
+  TaylorPull<T> pull;
+  if (pulled_) {
+    setUp(pull_W, pull);
+    equations.pull = &pull;
+    rate = std::max(rate, rateOf(pull));
   }
-  T rate = std::max(maxAbs(e.w_P), std::sqrt(square));
-  if (!wrench.pulls.empty()) {
-    const T jerk = e.v_W.cross(e.pull_W).cwiseAbs().maxCoeff() * maxAbs(e.inv_I);
-    const T snap = a_W_.cross(e.pull_W).cwiseAbs().maxCoeff() * maxAbs(e.inv_I);
-    rate = std::max(std::max(rate, std::cbrt(jerk)), std::sqrt(std::sqrt(snap)));
-  }
-  degree_ = degreeFor<T>(rate * horizon, kOrder);
   rate_unit_ = unitOf(rate);
   const T time_unit = T(1) / rate_unit_;
-  if (!wrench.pulls.empty()) {
-    expand<true, true>(e, time_unit);
-  } else if (turned || body_force_ || body_torque_) {
-    expand<true, false>(e, time_unit);
-  } else {
-    expand<false, false>(e, time_unit);
-  }
+  scale(time_unit, series_.w[0], equations);
+  if (pulled_) scale(time_unit, pull);
+
+  const T angle = rate * horizon;
+  const T precision = precisionFor(rate, angle, bound);
+  degree_ = degreeFor(angle, precision, kHighestTaylorDegree);
+  expandTaylor(equations, turned_, degree_, series_);
+  valid_for_ = length(precision) * time_unit;
 }
 
+/// The start and the equations in the units of the scene.
 template <class T>
-template <bool kTurned, bool kPulled>
-void TaylorSegmentT<T>::expand(const Equations& e, T time_unit) {
-  const std::size_t N = degree_;
-  // ω and q once more, with the components in the places where the products need them
-  std::array<Array4, kOrder> q_x, q_y, q_z;
-  Rotations R;
-  std::array<Array4, 9> turning;
-  Torques pull_torque;
-
-  w_[0] = e.w_P * time_unit;
-  q_[0] = start_.q_WP.coeffs().array();
-  const Array4 alpha_P = e.alpha_P * time_unit * time_unit;
-  if (kTurned)
-    for (std::size_t j = 0; j < 9; ++j) turning[j] = e.turning[j] * time_unit * time_unit;
-  const Array4 inv_I = kPulled ? Array4(e.inv_I * time_unit * time_unit) : e.inv_I;
-  if (kTurned) pull_torque.fill(Vector3<T>::Zero());
-  if (kPulled) {
-    pull_torque[1] = e.pull_W.cross(e.v_W) * time_unit;
-    pull_torque[2] = e.pull_W.cross(a_W_) * (time_unit * time_unit / T(2));
-  }
-  const Array4 sign_x(1, 1, -1, -1), sign_y(-1, 1, 1, -1), sign_z(1, -1, 1, -1);
-  T last_R = T(0);
-  for (std::size_t k = 0; k < N; ++k) {
-    const Array4& q = q_[k];
-    q_x[k] = q.reverse();
-    q_y[k].template head<2>() = q.template tail<2>();
-    q_y[k].template tail<2>() = q.template head<2>();
-    q_z[k] = q_y[k].reverse();
-
-    // the newest coefficients last: the sums of the others need not wait for them
-    T ww_x = T(0), ww_y = T(0), ww_z = T(0);
-    Array4 qw_x = Array4::Zero(), qw_y = Array4::Zero(), qw_z = Array4::Zero();
-    const auto addRates = [&](std::size_t i) {
-      const Array4& v = w_[k - i];
-      ww_x += w_[i][1] * v[2];
-      ww_y += w_[i][2] * v[0];
-      ww_z += w_[i][0] * v[1];
-      qw_x += q_x[i] * v[0];
-      qw_y += q_y[i] * v[1];
-      qw_z += q_z[i] * v[2];
-    };
-    for (std::size_t i = 1; i < k; ++i) addRates(i);
-    Array4 xq = Array4::Zero(), yq = Array4::Zero(), zq = Array4::Zero();
-    if (kTurned) {
-      const auto addProducts = [&](std::size_t i) {
-        const Array4& p = q_[k - i];
-        xq += q_[i] * p[0];
-        yq += q_[i] * p[1];
-        zq += q_[i] * p[2];
-      };
-      for (std::size_t i = 1; i < k; ++i) addProducts(i);
-      addProducts(0);
-      if (k > 0) addProducts(k);
-    }
-    addRates(0);
-    if (k > 0) addRates(k);
-    Array4 alpha = e.gyroscopic * Array4(ww_x, ww_y, ww_z, T(0));
-    if (k == 0) alpha += alpha_P;
-    if (kTurned) {
-      setRotationMatrix<T>(k == 0 ? T(1) : T(0), xq, yq, zq, R[k]);
-      Array4 rows[3];
-      for (std::size_t j = 0; j < 3; ++j)
-        rows[j] = turning[3 * j] * R[k](int(j), 0) + turning[3 * j + 1] * R[k](int(j), 1) +
-                  turning[3 * j + 2] * R[k](int(j), 2);
-      alpha += rows[0] + (rows[1] + rows[2]);
-      if (k + 1 == N) last_R = std::max(maxAbs(xq), std::max(maxAbs(yq), maxAbs(zq)));
-    }
-    if (kPulled) {
-      const std::size_t last = body_force_ ? k : std::min<std::size_t>(k, 2);
-      if (body_force_ && k + 2 < N)
-        pull_torque[k + 2] +=
-            e.pull_W.cross(R[k] * e.f_P) *
-            (inv_mass_ * time_unit * time_unit * kInverse<T>[k + 1] * kInverse<T>[k + 2]);
-      Vector3<T> torque_P = Vector3<T>::Zero();
-      for (std::size_t i = 1; i <= last; ++i) torque_P += R[k - i].transpose() * pull_torque[i];
-      alpha += inv_I * lanes<T>(torque_P);
-    }
-    const T inverse = kInverse<T>[k + 1];
-    w_[k + 1] = alpha * inverse;
-    q_[k + 1] = (qw_x * sign_x + (qw_y * sign_y + qw_z * sign_z)) * (inverse / T(2));
-  }
-
-  if (kTurned) integrate(e, time_unit, R, pull_torque);
-  valid_for_ = length(last_R) * time_unit;
-}
-
-template <class T>
-void TaylorSegmentT<T>::integrate(const Equations& e, T time_unit, const Rotations& R,
-                                  const Torques& pull_torque) {
-  if (body_force_) {
-    momentum_[0].setZero();
-    displacement_[0].setZero();
-    displacement_[1].setZero();
-    for (std::size_t k = 0; k < degree_; ++k) {
-      momentum_[k + 1] = lanes<T>(R[k] * e.f_P) * (time_unit * kInverse<T>[k + 1]);
-      if (k + 2 <= degree_)
-        displacement_[k + 2] = momentum_[k + 1] * (inv_mass_ * time_unit * kInverse<T>[k + 2]);
-    }
-  }
-  if (body_torque_) {
-    angular_impulse_[0].setZero();
-    for (std::size_t k = 0; k < degree_; ++k) {
-      Vector3<T> torque_W = R[k] * e.tau_P + turnedMoment<T>(R[k], e.moments);
-      if (k > 0) torque_W += pull_torque[k];
-      angular_impulse_[k + 1] = lanes<T>(torque_W) * (time_unit * kInverse<T>[k + 1]);
-    }
-  }
-}
-
-template <class T>
-T TaylorSegmentT<T>::length(T last_R) const {
-  // How far the last terms stay at rounding. At the best step successive terms shrink by e²
-  // (Jorba and Zou), which the last but one is allowed, and which the first left out has on top.
-  const std::size_t N = degree_;
-  constexpr T kLast = std::numeric_limits<T>::epsilon();
-  constexpr T kLastButOne = T(7) * kLast;
-  const auto lengthOf = [&](T last, T before) {
-    return std::min(std::pow(kLast / last, kInverse<T>[N]),
-                    std::pow(kLastButOne / before, kInverse<T>[N - 1]));
+void TaylorSegmentT<T>::setUp(TaylorEquations<T>& e) {
+  const Vector3<T> inv_I = I_.cwiseInverse();
+  assign(series_.w[0], start_.L_P.cwiseProduct(inv_I));
+  for (int i = 0; i < 4; ++i) series_.q[0][i] = start_.q_WP.coeffs()[i];
+  assign(e.gyroscopic,
+         Vector3<T>((I_[1] - I_[2]) / I_[0], (I_[2] - I_[0]) / I_[1], (I_[0] - I_[1]) / I_[2]));
+  // I⁻¹ × torque in P = I⁻¹ tau_P + Σ R(j, l) column(j, l)
+  const auto column = [&](int j, int l) -> Vector3<T> {
+    const T t = tau_W_[j], x = moments_(0, j), y = moments_(1, j), z = moments_(2, j);
+    const Vector3<T> torque = l == 0   ? Vector3<T>(t, z, -y)
+                              : l == 1 ? Vector3<T>(-z, t, x)
+                                       : Vector3<T>(y, -x, t);
+    return inv_I.cwiseProduct(torque);
   };
-  // last_R/N is the last coefficient of what the turned vectors integrate to
-  T s = lengthOf(maxAbs(q_[N]), std::max(maxAbs(q_[N - 1]), T(7) * last_R * kInverse<T>[N]));
-  const Array4 I4 = lanes<T>(I_);
-  const T size = std::max(maxAbs(w_[0]), std::max(maxAbs(w_[1]) * s, maxAbs(w_[2]) * s * s));
-  const T size_L = std::max(maxAbs<T>(I4 * w_[0]),
-                            std::max(maxAbs<T>(I4 * w_[1]) * s, maxAbs<T>(I4 * w_[2]) * s * s));
-  const auto ratio = [&](std::size_t n) {
-    return std::max(maxAbs(w_[n]) / size, maxAbs<T>(I4 * w_[n]) / size_L);
+  const Vector3<T> xx = column(0, 0), yy = column(1, 1), zz = column(2, 2);
+  assign(e.steady, inv_I.cwiseProduct(tau_P_) + (xx + yy + zz));
+  assign(e.turning[0], T(-2) * (yy + zz));
+  assign(e.turning[1], T(-2) * (xx + zz));
+  assign(e.turning[2], T(-2) * (xx + yy));
+  for (int n = 0; n < 3; ++n) {
+    const int j = n, l = (n + 1) % 3, left = (n + 2) % 3;
+    assign(e.turning[3 + n], T(2) * (column(j, l) + column(l, j)));
+    assign(e.turning[6 + left], T(2) * (column(l, j) - column(j, l)));
+  }
+}
+
+template <class T>
+void TaylorSegmentT<T>::setUp(const Vector3<T>& pull_W, TaylorPull<T>& pull) const {
+  assign(pull.force_W, pull_W);
+  assign(pull.linear_W, pull_W.cross(start_.p_W * inv_mass_));
+  assign(pull.quadratic_W, pull_W.cross(a_W_ / T(2)));
+  assign(pull.acceleration_P, f_P_ * inv_mass_);
+  assign(pull.inv_I, I_.cwiseInverse());
+}
+
+template <class T>
+T TaylorSegmentT<T>::length(T size) const {
+  // How far the last terms stay small. At the best step successive terms shrink by e² (Jorba and
+  // Zou), which the last but one is allowed, and which the first left out has on top.
+  const std::size_t N = degree_;
+  T products = T(0);
+  if (turned_)
+    products = std::max(std::max(maxAbs(series_.squares[N]), maxAbs(series_.crosses[N])),
+                        maxAbs(series_.turns[N]));
+  const auto& w = series_.w;
+  const auto sizeOf = [&](std::size_t n) { return maxAbs(w[n]); };
+  const auto sizeOfL = [&](std::size_t n) {
+    return vectorOf(w[n]).cwiseProduct(I_).cwiseAbs().maxCoeff();
   };
-  if (size > T(0)) s = std::min(s, lengthOf(ratio(N), ratio(N - 1)));
-  return s;
+  // relative to the sizes that ω and L reach in one unit of time
+  const T size_w = std::max(sizeOf(0), std::max(sizeOf(1), sizeOf(2)));
+  const T size_L = std::max(sizeOfL(0), std::max(sizeOfL(1), sizeOfL(2)));
+  T last = maxAbs(series_.q[N]), before = std::max(maxAbs(series_.q[N - 1]), T(7) * products);
+  if (size_w > T(0)) {
+    last = std::max(last, std::max(sizeOf(N) / size_w, sizeOfL(N) / size_L));
+    before = std::max(before, std::max(sizeOf(N - 1) / size_w, sizeOfL(N - 1) / size_L));
+  }
+  return std::min(std::pow(size / last, T(1) / T(N)),
+                  std::pow(T(7) * size / before, T(1) / T(N - 1)));
 }
 
 template <class T>
 BodyStateT<T> TaylorSegmentT<T>::at(T dt) const {
-  const T s = rate_unit_ * dt;
-  // Horner's rule without the constant term
-  const auto increment = [this, s](const Series& series) {
-    Array4 sum = series[degree_];
-    for (std::size_t k = degree_ - 1; k > 0; --k) sum = series[k] + s * sum;
-    return Array4(s * sum);
-  };
+  const T s = rate_unit_ * dt, time_unit = T(1) / rate_unit_;
+  TaylorIncrements<T> gain;
+  evaluateTaylor(series_, turned_, degree_, s, gain);
   BodyStateT<T> state;
-  const Array4 dw = increment(w_) * rate_unit_;
-  state.L_P = start_.L_P + I_.cwiseProduct(Vector3<T>(dw[0], dw[1], dw[2]));
-  state.q_WP.coeffs() = (q_[0] + increment(q_)).matrix();
+  state.L_P = start_.L_P + I_.cwiseProduct(vectorOf(gain.w) * rate_unit_);
+  for (int i = 0; i < 4; ++i) state.q_WP.coeffs()[i] = series_.q[0][i] + gain.q[i];
   renormalize(state.q_WP);
-  state.L_W = start_.L_W;
   Vector3<T> dL = tau_W_ * dt;
-  if (body_torque_) dL += increment(angular_impulse_).matrix().template head<3>();
-  state.L_W += dL;
-
   Vector3<T> dp = f_W_ * dt;
   Vector3<T> dx = (start_.p_W * inv_mass_ + a_W_ * (dt / T(2))) * dt;
-  if (body_force_) {
-    dp += increment(momentum_).matrix().template head<3>();
-    dx += increment(displacement_).matrix().template head<3>();
+  if (body_force_ || body_torque_) {
+    Matrix3<T> R;  // its integral over time
+    setRotationMatrix(s, gain.squares, gain.crosses, gain.turns, R);
+    R *= time_unit;
+    if (body_torque_) dL += R * tau_P_ + turnedMoment(R, moments_);
+    if (pulled_) dL += pulledMoment(s) * time_unit;
+    if (body_force_) {
+      dp += R * f_P_;
+      dx += bodyDisplacement(s);
+    }
   }
+  state.L_W = start_.L_W + dL;
   state.p_W = start_.p_W + dp;
   const Vector3<T> low = start_.x_low_W + dx;
   state.x_W = start_.x_W + low;
   const Vector3<T> part = state.x_W - start_.x_W;
   state.x_low_W = (start_.x_W - (state.x_W - part)) + (low - part);
   return state;
+}
+
+/// The time integral of the torque of forces at world points, but for its part in tau_W.
+template <class T>
+Vector3<T> TaylorSegmentT<T>::pulledMoment(T s) const {
+  Vector3<T> sum = vectorOf(series_.pull[degree_]);
+  for (std::size_t k = degree_ - 1; k > 0; --k) sum = vectorOf(series_.pull[k]) + s * sum;
+  return s * sum;
+}
+
+/// [m] f_P/m × the integral over time of the integral of R.
+template <class T>
+Vector3<T> TaylorSegmentT<T>::bodyDisplacement(T s) const {
+  Array4 squares = Array4::Zero(), crosses = Array4::Zero(), turns = Array4::Zero();
+  for (std::size_t k = degree_; k > 0; --k) {
+    const T inverse = T(1) / T(k + 1);
+    squares = arrayOf(series_.squares[k]) * inverse + s * squares;
+    crosses = arrayOf(series_.crosses[k]) * inverse + s * crosses;
+    turns = arrayOf(series_.turns[k]) * inverse + s * turns;
+  }
+  const T ss = s * s;
+  Matrix3<T> R;
+  setRotationMatrix<T, Array4>(ss / T(2), squares * ss, crosses * ss, turns * ss, R);
+  return R * (f_P_ * inv_mass_ / (rate_unit_ * rate_unit_));
 }
 
 template class TaylorSegmentT<double>;

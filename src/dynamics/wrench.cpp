@@ -12,24 +12,25 @@ bool isCoupled(const PointWrench& applied) {
   return foreign(applied.axes) || foreign(applied.point_frame);
 }
 
+Vector3d toWorldAxes(const PointWrench& applied, const Vector3d& v,
+                     const std::vector<BodyState>& bodies) {
+  return applied.axes == kWorld ? v : rotate(bodies[applied.axes].q_WP, v);
+}
+
+Vector3d armOf(const PointWrench& applied, const std::vector<BodyState>& bodies) {
+  const BodyState& state = bodies[applied.body];
+  if (applied.point_frame == kWorld) return (applied.point - state.x_W) - state.x_low_W;
+  const BodyState& holder = bodies[applied.point_frame];
+  const Vector3d arm_W = rotate(holder.q_WP, applied.point);
+  if (applied.point_frame == applied.body) return arm_W;
+  return arm_W + ((holder.x_W - state.x_W) + (holder.x_low_W - state.x_low_W));
+}
+
 void addPointWrench(const PointWrench& applied, const std::vector<BodyState>& bodies,
                     Wrench& wrench) {
-  const auto turnToWorld = [&](const Vector3d& v) {
-    return applied.axes == kWorld ? v : rotate(bodies[applied.axes].q_WP, v);
-  };
-  const BodyState& state = bodies[applied.body];
-  const Vector3d f_W = turnToWorld(applied.force);
-  Vector3d arm_W;
-  if (applied.point_frame == kWorld) {
-    arm_W = (applied.point - state.x_W) - state.x_low_W;
-  } else {
-    const BodyState& holder = bodies[applied.point_frame];
-    arm_W = rotate(holder.q_WP, applied.point);
-    if (applied.point_frame != applied.body)
-      arm_W += (holder.x_W - state.x_W) + (holder.x_low_W - state.x_low_W);
-  }
+  const Vector3d f_W = toWorldAxes(applied, applied.force, bodies);
   wrench.f_W += f_W;
-  wrench.tau_W += arm_W.cross(f_W) + turnToWorld(applied.torque);
+  wrench.tau_W += armOf(applied, bodies).cross(f_W) + toWorldAxes(applied, applied.torque, bodies);
 }
 
 }  // namespace rigid_body_sim

@@ -52,18 +52,24 @@ Markers markersOf(const Visual& visual) {
 
 }  // namespace
 
+std::vector<Marker> toMarkers(const BodyDef& body) {
+  std::vector<Marker> all;
+  for (const Visual& visual : visualsOf(body)) {
+    for (Marker& marker : markersOf(visual)) {
+      marker.header.frame_id = marker.ns = body.name;
+      marker.id = static_cast<int>(all.size());
+      marker.frame_locked = true;
+      all.push_back(marker);
+    }
+  }
+  return all;
+}
+
 visualization_msgs::MarkerArray toMarkers(const Scene& scene) {
   visualization_msgs::MarkerArray all;
   for (const BodyDef& body : scene.bodies) {
-    int id = 0;
-    for (const Visual& visual : visualsOf(body)) {
-      for (Marker& marker : markersOf(visual)) {
-        marker.header.frame_id = marker.ns = body.name;
-        marker.id = id++;
-        marker.frame_locked = true;
-        all.markers.push_back(marker);
-      }
-    }
+    const std::vector<Marker> markers = toMarkers(body);
+    all.markers.insert(all.markers.end(), markers.begin(), markers.end());
   }
   return all;
 }

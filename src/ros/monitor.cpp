@@ -22,14 +22,17 @@ Monitor::Monitor(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::stri
   });
 }
 
+bool Monitor::isHeard() const {
+  return diagnostics_.getNumSubscribers() > 0 || status_.getNumSubscribers() > 0;
+}
+
 void Monitor::report(const Simulation& simulation, const RunFigures& figures,
                      Clock::time_point now) {
   next_report_ = now + kPeriod;
   const std::chrono::duration<double> elapsed = now - last_report_;
   const double advanced = simulation.time() - last_t_;
   restart(simulation.time(), now);
-  const bool heard = diagnostics_.getNumSubscribers() > 0;
-  if (!heard && status_.getNumSubscribers() == 0) return;
+  if (!isHeard()) return;
 
   health_.status = toSimStatus(simulation, figures);
   health_.status.header.frame_id = world_frame_;
@@ -41,7 +44,7 @@ void Monitor::report(const Simulation& simulation, const RunFigures& figures,
   health_.divergence = figures.divergence;
   status_.publish(health_.status);
   // at the monitor's pace: the updater's own follows ROS time, which stands still while paused
-  if (heard) updater_.force_update();
+  if (diagnostics_.getNumSubscribers() > 0) updater_.force_update();
 }
 
 void Monitor::restart(double t, Clock::time_point now) {

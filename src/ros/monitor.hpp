@@ -22,6 +22,9 @@ class Monitor {
 
   bool isDue(Clock::time_point now) const { return now >= next_report_; }
 
+  /// Whether somebody listens.
+  bool isHeard() const;
+
   void report(const Simulation& simulation, const RunFigures& figures, Clock::time_point now);
 
   /// Simulation time has been set to t [s].

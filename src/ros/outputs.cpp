@@ -1,5 +1,7 @@
 #include "outputs.hpp"
 
+#include <algorithm>
+
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -11,6 +13,9 @@ namespace {
 
 constexpr std::uint32_t kQueueSize = 100;
 constexpr bool kLatched = true;
+
+/// Arrows and trails are for the eye [1/s of simulation time].
+constexpr double kMarkerRate = 30;
 
 Isometry3d poseOf(const PointDef& point) {
   Isometry3d X_BF = Isometry3d::Identity();
@@ -29,10 +34,12 @@ Outputs::Outputs(ros::NodeHandle nh, ros::NodeHandle private_nh, const NodeOptio
       publish_clock_(options.publish_clock),
       state_ticker_(options.publish_rate),
       clock_ticker_(options.clock_rate),
+      marker_ticker_(std::min(options.publish_rate, kMarkerRate)),
       tf_(nh.advertise<tf2_msgs::TFMessage>("/tf", kQueueSize)),
       tf_static_(nh.advertise<tf2_msgs::TFMessage>("/tf_static", kQueueSize, kLatched)),
       markers_(
           private_nh.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize, kLatched)),
+      live_markers_(private_nh, scene.world_frame, simulation),
       states_(private_nh.advertise<BodyStates>("states", kQueueSize)) {
   if (publish_clock_) clock_ = nh.advertise<rosgraph_msgs::Clock>("/clock", kQueueSize);
   const std::vector<Body>& bodies = simulation.world().bodies;
@@ -67,17 +74,27 @@ void Outputs::publishDue() {
   const double t = simulation_.time();
   if (publish_clock_ && clock_ticker_.due(t)) publishClock();
   if (state_ticker_.due(t)) publishState();
+  if (marker_ticker_.due(t)) publishMarkers();
 }
 
 void Outputs::publishNow() {
   if (publish_clock_) publishClock();
   publishState();
+  publishMarkers();
 }
 
 void Outputs::restart() {
   state_ticker_.restart();
   clock_ticker_.restart();
-  last_state_stamp_ = last_clock_stamp_ = ros::Time();
+  marker_ticker_.restart();
+  last_state_stamp_ = last_clock_stamp_ = last_marker_stamp_ = ros::Time();
+}
+
+void Outputs::publishMarkers() {
+  const ros::Time stamp = origin_.stamp(simulation_.time());
+  if (stamp <= last_marker_stamp_) return;
+  last_marker_stamp_ = stamp;
+  live_markers_.publish(stamp);
 }
 
 void Outputs::publishClock() {

@@ -9,6 +9,7 @@
 #include <rigid_body_sim/scene/scene.hpp>
 
 #include "conversions.hpp"
+#include "live_markers.hpp"
 #include "node_options.hpp"
 #include "ticker.hpp"
 
@@ -16,7 +17,8 @@ namespace rigid_body_sim {
 
 /// What the node tells: moving bodies on /tf, <body>/odom and <body>/applied_wrench, and all bodies
 /// on ~states, at the publish rate; /clock at its own; once, latched: fixed bodies and named points
-/// on /tf_static, and ~markers. Without subscribers nothing is computed. Stamps strictly increase.
+/// on /tf_static, and ~markers, on which LiveMarkers follow. Without subscribers nothing is
+/// computed. Stamps strictly increase.
 class Outputs {
  public:
   Outputs(ros::NodeHandle nh, ros::NodeHandle private_nh, const NodeOptions& options,
@@ -31,6 +33,9 @@ class Outputs {
   /// Time has been set back to the start.
   void restart();
 
+  /// Bodies have been moved other than by time.
+  void breakTrails() { live_markers_.breakTrails(); }
+
  private:
   /// The topics of a body that moves.
   struct BodyTopics {
@@ -42,6 +47,7 @@ class Outputs {
   void publishOnce(const Scene& scene);
   void publishState();
   void publishClock();
+  void publishMarkers();
   void publishTransforms(const ros::Time& stamp);
   void publishBody(const BodyTopics& topics, const ros::Time& stamp);
 
@@ -51,11 +57,14 @@ class Outputs {
   bool publish_clock_;
   Ticker state_ticker_;
   Ticker clock_ticker_;
+  Ticker marker_ticker_;
   ros::Time last_state_stamp_;
   ros::Time last_clock_stamp_;
+  ros::Time last_marker_stamp_;
   ros::Publisher tf_;
   ros::Publisher tf_static_;
   ros::Publisher markers_;
+  LiveMarkers live_markers_;
   ros::Publisher clock_;
   ros::Publisher states_;
   std::vector<BodyTopics> bodies_;

@@ -21,9 +21,7 @@ constexpr double kTimeToWrite = 0.2;
 Simulation makeSimulation(const Scene& scene) {
   World world = buildWorld(scene);
   State initial = initialState(scene, world);
-  Simulation simulation(std::move(world), std::move(initial));
-  if (simulation.world().solver.integrator == "auto") simulation.trackError();
-  return simulation;
+  return Simulation(std::move(world), std::move(initial));
 }
 
 ros::NodeHandle onQueue(const std::string& name_space, ros::CallbackQueue& queue) {
@@ -60,6 +58,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       private_nh_(onQueue("~", queue_)),
       outputs_(nh_, private_nh_, options, scene, simulation_, origin_),
       monitor_(nh_, private_nh_, scene.world_frame, origin_),
+      mouse_(private_nh_, scene, simulation_, origin_, options.wrench_timeout, refusals_),
       doors_(
           nh_, private_nh_, movingBodies(simulation_.world()), origin_,
           [this](const WrenchRequest& request) { return take(request); },
@@ -98,16 +97,28 @@ void SimulationNode::serveUntilDue() {
 /// Waits for a callback for that long at most, serves all there are, and reports when that is due.
 void SimulationNode::serve(double seconds) {
   queue_.callAvailable(ros::WallDuration(seconds));
-  if (monitor_.isDue(Monitor::Clock::now())) report();
+  const Monitor::Clock::time_point now = Monitor::Clock::now();
+  mouse_.keepAlive(now);
+  if (monitor_.isDue(now)) report();
 }
 
 void SimulationNode::report() {
+  track(monitor_.isHeard());
   RunFigures figures;
   figures.overruns = pacer_.overruns();
   figures.refused = refusals_.count();
   figures.paused = paused_;
   figures.divergence = divergence_;
   monitor_.report(simulation_, figures, Monitor::Clock::now());
+}
+
+/// The balance, and errors with auto, are tracked while somebody listens.
+void SimulationNode::track(bool heard) {
+  if (heard == tracked_) return;
+  tracked_ = heard;
+  if (!heard) return simulation_.stopTracking();
+  simulation_.trackBalance();
+  if (simulation_.world().solver.integrator == "auto") simulation_.trackError();
 }
 
 /// Ties the wall to simulation time as it is now.
@@ -129,6 +140,7 @@ void SimulationNode::step() {
 
 /// One step and what it has to tell. Reports a divergence before it throws it on.
 void SimulationNode::advance() {
+  mouse_.pull();
   try {
     simulation_.step();
   } catch (const SimulationDiverged& error) {
@@ -169,6 +181,7 @@ WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::s
       simulation_.clearWrenches(i, slot);
   }
   if (!known) return {"unknown body '" + body + "'"};
+  if (slot.empty()) mouse_.letGo(body);
   return {"", before - simulation_.wrenchCount()};
 }
 
@@ -206,7 +219,9 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
 
 bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   simulation_.reset(options_.reset_time);
+  mouse_.letGo("");
   if (options_.reset_time) outputs_.restart();
+  outputs_.breakTrails();
   divergence_.clear();
   restartClocks();
   response.success = true;
@@ -217,7 +232,10 @@ bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 
 bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {
   const RequestedState requested = takeState(request, simulation_.world(), rules_.world_frame);
-  if (requested.fault.empty()) simulation_.setState(requested.body, requested.state);
+  if (requested.fault.empty()) {
+    simulation_.setState(requested.body, requested.state);
+    outputs_.breakTrails();
+  }
   response.success = requested.fault.empty();
   response.message = requested.fault;
   return true;

@@ -14,6 +14,7 @@
 #include <rigid_body_sim/scene/frames.hpp>
 
 #include "monitor.hpp"
+#include "mouse.hpp"
 #include "node_options.hpp"
 #include "outputs.hpp"
 #include "pacer.hpp"
@@ -40,6 +41,7 @@ class SimulationNode {
   void step();
   void advance();
   void report();
+  void track(bool heard);
   void restartClocks();
   std::string take(const WrenchRequest& request);
   WrenchDoors::Cleared clear(const std::string& body, const std::string& slot);
@@ -59,6 +61,7 @@ class SimulationNode {
   Pacer pacer_;
   Refusals refusals_;
   bool paused_;
+  bool tracked_ = false;    // balance and errors
   std::string divergence_;  // that the simulation waits after, paused; empty: none
 
   ros::CallbackQueue queue_;
@@ -66,6 +69,7 @@ class SimulationNode {
   ros::NodeHandle private_nh_;
   Outputs outputs_;
   Monitor monitor_;
+  Mouse mouse_;
   WrenchDoors doors_;
   ros::Subscriber tf_static_;
   std::vector<ros::ServiceServer> services_;

@@ -10,16 +10,18 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-void addMomenta(const World& world, const State& state, SimStatus& status) {
-  Vector3d p_W = Vector3d::Zero(), L_W = Vector3d::Zero();
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (world.bodies[i].fixed) continue;
-    const BodyState& body = state.bodies[i];
-    p_W += body.p_W;
-    L_W += body.L_W + Vector3d(body.x_W + body.x_low_W).cross(body.p_W);
-  }
-  status.momentum = toVector3(p_W);
-  status.angular_momentum = toVector3(L_W);
+double norm(const geometry_msgs::Vector3& v) { return Vector3d(v.x, v.y, v.z).norm(); }
+
+void addMechanics(const Simulation& simulation, SimStatus& status) {
+  const Totals totals = totalsOf(simulation.world(), simulation.state());
+  status.mechanical_energy = totals.energy;
+  status.momentum = toVector3(totals.momentum);
+  status.angular_momentum = toVector3(totals.angular_momentum);
+  status.work = simulation.exchanged().energy;
+  const Totals balance = simulation.balance();
+  status.energy_balance = balance.energy;
+  status.momentum_balance = toVector3(balance.momentum);
+  status.angular_momentum_balance = toVector3(balance.angular_momentum);
 }
 
 }  // namespace
@@ -33,8 +35,7 @@ SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures) {
   status.refused = static_cast<std::uint64_t>(figures.refused);
   status.active_wrenches = static_cast<std::uint32_t>(simulation.wrenchCount());
   status.paused = figures.paused;
-  status.mechanical_energy = mechanicalEnergy(world, simulation.state());
-  addMomenta(world, simulation.state(), status);
+  addMechanics(simulation, status);
   status.attitude_error = status.position_error = std::numeric_limits<double>::quiet_NaN();
   if (world.solver.integrator == "auto") {
     status.attitude_error = simulation.errorEstimate().attitude;
@@ -72,6 +73,10 @@ void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper&
   diagnostic.add("estimated attitude error [rad]", status.attitude_error);
   diagnostic.add("estimated position error [m]", status.position_error);
   diagnostic.add("most parts of a step", status.most_parts);
+  diagnostic.add("energy [J]", status.mechanical_energy);
+  diagnostic.add("energy balance [J]", status.energy_balance);
+  diagnostic.add("momentum balance [kg m/s]", norm(status.momentum_balance));
+  diagnostic.add("angular momentum balance [kg m^2/s]", norm(status.angular_momentum_balance));
 }
 
 }  // namespace rigid_body_sim

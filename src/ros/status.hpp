@@ -19,7 +19,7 @@ struct RunFigures {
 };
 
 /// The state of the simulation in figures; stamp and real-time factor are left to the caller.
-///   momentum Σ p,  angular momentum Σ (x × p + L),  over the bodies that move
+/// Energy and momenta are those of totalsOf; balances are not numbers unless they are tracked.
 SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures);
 
 /// Whether auto found a row that holds the scene's tolerance wherever it needed one.

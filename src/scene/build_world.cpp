@@ -60,7 +60,8 @@ World buildWorld(const Scene& scene) {
   if (scene.gravity) world.g_W = *scene.gravity;
   world.wrenches = wrenchesOf(scene, world.bodies);
   world.laws = lawsOf(scene, world.bodies);
-  world.solver = {scene.integrator, scene.time_step, scene.tolerance, scene.horizon};
+  world.solver = {scene.integrator, scene.time_step, scene.tolerance, scene.horizon,
+                  scene.tolerance_stated};
   checkIntegrator(scene, world);
   return world;
 }

@@ -75,7 +75,11 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
       {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
       {"time_step", [](const Entry& e, Scene& s) { s.time_step = readPositive(e, "s"); }, true},
       {"integrator", [](const Entry& e, Scene& s) { s.integrator = readIntegrator(e); }},
-      {"tolerance", [](const Entry& e, Scene& s) { s.tolerance = readPositive(e, ""); }},
+      {"tolerance",
+       [](const Entry& e, Scene& s) {
+         s.tolerance = readPositive(e, "");
+         s.tolerance_stated = true;
+       }},
       {"horizon", [](const Entry& e, Scene& s) { s.horizon = readPositive(e, "s"); }},
       {"bodies", [](const Entry& e, Scene& s) { s.bodies = readBodies(e); }, true},
       {"forces", [](const Entry& e, Scene& s) { s.forces = readForces(e); }},

@@ -21,6 +21,7 @@ Scene sceneOf(const SimulateOptions& options) {
   Scene scene = loadToolScene(options.scene, "simulate");
   scene.time_step = options.time_step.value_or(scene.time_step);
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
+  scene.tolerance_stated |= options.tolerance.has_value();
   scene.integrator = options.integrator.value_or(scene.integrator);
   return scene;
 }

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <limits>
+#include <sstream>
 
 #include <rigid_body_sim/dynamics/rotor.hpp>
 #include <rigid_body_sim/dynamics/simulation.hpp>
@@ -39,7 +40,7 @@ PointWrench pushOf(const Problem& p, const Body& body) {
   return push;
 }
 
-World worldOf(const Problem& p, const std::string& integrator, double time_step) {
+World worldOf(const Problem& p, const std::string& integrator, double time_step, double tolerance) {
   World world;
   world.bodies = {bodyOf(p)};
   world.g_W = vector(p.g_W);
@@ -47,6 +48,9 @@ World worldOf(const Problem& p, const std::string& integrator, double time_step)
   if (!push.force.isZero(0)) world.wrenches = {push};
   world.solver.integrator = integrator;
   world.solver.time_step = time_step;
+  world.solver.horizon = p.duration;
+  world.solver.tolerance_stated = tolerance > 0;
+  if (tolerance > 0) world.solver.tolerance = tolerance;
   return world;
 }
 
@@ -76,13 +80,17 @@ double angleTo(const Quaternion<long double>& q, const std::array<double, 4>& c)
   return static_cast<double>(2 * std::atan2(d.vec().norm(), std::abs(d.w())));
 }
 
-Run ourRun(const Problem& p, const std::string& integrator, int steps) {
+/// tolerance: for auto; 0: none, what can be solved is solved to rounding.
+Run ourRun(const Problem& p, const std::string& integrator, int steps, double tolerance = 0) {
   constexpr double kBudget = 0.03;  // [s]
-  const World world = worldOf(p, integrator, p.duration / steps);
+  const World world = worldOf(p, integrator, p.duration / steps, tolerance);
   State initial;
   initial.bodies = {startOf(p, world.bodies[0])};
   Run run;
-  run.setting = integrator + " " + std::to_string(steps) + " steps";
+  std::ostringstream setting;
+  setting << integrator << ' ' << steps << " steps";
+  if (tolerance > 0) setting << ", tolerance " << tolerance;
+  run.setting = setting.str();
   run.seconds = leastCpuTime(
       Simulation(world, initial),
       [&](Simulation& simulation) {
@@ -98,13 +106,18 @@ std::vector<Run> ourRuns(const Problem& p, const std::string& integrator) {
   constexpr double kLongest = 0.02;  // [s] as for odeint
   constexpr int kCoarse = 1000;  // steps so long are divided, and may cost more than shorter ones
   std::vector<Run> runs;
+  if (integrator == "auto") {  // its error does not depend on the step
+    runs.push_back(ourRun(p, integrator, 1));
+    for (double tolerance = 1e-12; tolerance < 1; tolerance *= 2)
+      runs.push_back(ourRun(p, integrator, 1, tolerance));
+    return runs;
+  }
   for (int steps = 1; steps < 1000000; steps = steps + 1 + steps / 5) {
     try {
       runs.push_back(ourRun(p, integrator, steps));
     } catch (const SimulationDiverged&) {
       continue;
     }
-    if (integrator == "auto") break;  // its error does not depend on the step
     if (runs.back().seconds > kLongest && steps > kCoarse) break;
   }
   return runs;
@@ -150,7 +163,13 @@ void compare(const Problem& p) {
   for (double target : kTargets)
     if (const Run* run = cheapest(odeint, q, target))
       std::printf(" %.0e %s;", target, run->setting.c_str());
-  std::printf("\nauto's own error: %.1e rad\n", angleTo(q, ours[0].second[0].q));
+  std::printf("\nauto with no tolerance stated: %.1e rad in %.1f us\n",
+              angleTo(q, ours[0].second[0].q), 1e6 * ours[0].second[0].seconds);
+  for (double tolerance : kTargets) {
+    const Run run = ourRun(p, "auto", 1, tolerance);
+    std::printf("auto with tolerance %.0e: %.1e rad in %.1f us\n", tolerance, angleTo(q, run.q),
+                1e6 * run.seconds);
+  }
 }
 
 }  // namespace

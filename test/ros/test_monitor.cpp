@@ -1,3 +1,4 @@
+#include <cmath>
 #include <map>
 
 #include <diagnostic_msgs/DiagnosticArray.h>
@@ -62,6 +63,11 @@ TEST_F(MonitorTopics, StatusIsToldWhilePausedToo) {
   general.publish(message);
   EXPECT_TRUE(NodeDriver::waitFor([&] { return status.refused >= 1; }));
   EXPECT_EQ(status.active_wrenches, 1U);
+
+  // listened to, and so balanced
+  driver.step(100);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return status.work != 0; }));
+  EXPECT_LT(std::abs(status.energy_balance), 1e-9);
 
   driver.pause(false);
   EXPECT_TRUE(NodeDriver::waitFor([&] { return !status.paused && status.real_time_factor > 0; }));

@@ -92,6 +92,22 @@ forces:
   EXPECT_TRUE(holdsTolerance(simulation));
 }
 
+TEST(Status, TellsTheBalanceWhereItIsTracked) {
+  Simulation simulation = simulationOf(kTwoBodies);
+  const SimStatus before = toSimStatus(simulation, RunFigures());
+  EXPECT_TRUE(std::isnan(before.work));
+  EXPECT_TRUE(std::isnan(before.energy_balance));
+  EXPECT_TRUE(std::isnan(before.momentum_balance.x));
+  EXPECT_TRUE(std::isnan(before.angular_momentum_balance.z));
+  simulation.trackBalance();
+  for (int i = 0; i < 8; ++i) simulation.step();
+  const SimStatus status = toSimStatus(simulation, RunFigures());
+  EXPECT_NEAR(status.work, 0.25, 1e-14);             // 1 N along ½ 1 N/2 kg (1 s)²
+  EXPECT_NEAR(status.energy_balance, 0, 1e-12);      // of 209 J
+  EXPECT_NEAR(status.momentum_balance.z, 0, 1e-12);  // of 140 N s
+  EXPECT_NEAR(status.angular_momentum_balance.y, 0, 1e-12);
+}
+
 TEST(Status, CountsThePartsOfSteps) {
   // 50 rad a step, where strang follows 0.8
   Simulation simulation = simulationOf(R"(
@@ -124,6 +140,21 @@ TEST(Diagnostics, WarnOfWhatCostsAccuracyOrTime) {
   EXPECT_NE(all.find("3 steps began late"), std::string::npos);
   EXPECT_NE(all.find("up to 12 parts"), std::string::npos);
   EXPECT_NE(all.find("no integrator holds"), std::string::npos);
+}
+
+TEST(Diagnostics, TellTheSizesOfTheBalances) {
+  Health health;
+  health.status.energy_balance = -0.5;
+  health.status.momentum_balance.x = 3;
+  health.status.momentum_balance.y = 4;
+  const auto value = [&](const std::string& key) {
+    for (const auto& entry : described(health).values)
+      if (entry.key == key) return std::stod(entry.value);
+    return std::nan("");
+  };
+  EXPECT_EQ(value("energy balance [J]"), -0.5);
+  EXPECT_EQ(value("momentum balance [kg m/s]"), 5);
+  EXPECT_EQ(value("angular momentum balance [kg m^2/s]"), 0);
 }
 
 TEST(Diagnostics, NameADivergenceAsAnError) {

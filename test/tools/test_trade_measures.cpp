@@ -1,23 +1,20 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <tools/state_at.hpp>
-#include <tools/trade_ladder.hpp>
 
+#include "support/trade_settings.hpp"
 #include "support/trade_worlds.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 using test::Bench;
+using test::countedCost;
 using test::SpringWorld;
-
-constexpr Patience kHasty{0.0005, 0.003};
 
 /// The symmetric top turns about L at |L|/I₁ and about its own axis at ω₃ (1 − I₃/I₁).
 Quaterniond topAttitude(const BodyState& start, const Vector3d& I, double t) {
@@ -41,29 +38,13 @@ void expectTruth(const Bench& bench, double duration, double step, const Truth& 
                  const Reported& reported) {
   const Reference reference = computeReference(bench.world, bench.initial, duration);
   for (const std::string& row : integratorsFor(bench.world, bench.initial)) {
-    const Setting setting = measureSetting(bench.world, reference, row, step, kHasty);
+    const Setting setting = measureSetting(bench.world, reference, row, step, {test::kBriefly, 0});
     Simulation simulation = bench.simulation(row, step);
     double worst = 0;
     for (std::size_t k = 1; k < reference.states.size(); ++k)
       worst = std::max(worst, truth(stateAt(simulation, reference.states[k].t)));
     expectWithinAFactorOfTwo(reported(setting.errors), worst, row);
   }
-}
-
-/// Every row that takes the world, over its ladder.
-std::vector<Setting> ladders(const SpringWorld& world, const Reference& reference) {
-  std::vector<Setting> settings;
-  for (const std::string& row : integratorsFor(world.bench.world, world.bench.initial))
-    if (row != "auto")
-      climbLadder(
-          world.bench.world, reference, row, [&](const Setting& s) { settings.push_back(s); },
-          kHasty);
-  return settings;
-}
-
-/// In the unit of Method::cost.
-double countedCost(const Method& row, std::int64_t evaluations) {
-  return row.cost * static_cast<double>(evaluations) / row.evaluations;
 }
 
 }  // namespace
@@ -114,7 +95,8 @@ TEST(Trade, RecommendsSettingsThatMeetTheBudget) {
     SpringWorld world = test::randomWorld(seed);
     world.bench.world.solver = {"auto", 0.01, 1e-9, kDuration};
     const Reference reference = computeReference(world.bench.world, world.bench.initial, kDuration);
-    const std::vector<Setting> settings = ladders(world, reference);
+    const std::vector<Setting> settings =
+        test::ladders(world.bench.world, world.bench.initial, reference);
     const reference::Motions truth = test::referenceRun(world, kDuration);
     for (double budget : {1e-3, 1e-6, 1e-9}) {
       const Setting* best = cheapestWithin(settings, reference, budget);
@@ -133,7 +115,8 @@ TEST(Trade, FindsThatAutoHoldsItsToleranceAtTwiceTheLeastCost) {
     world.bench.world.solver = {"auto", kStep, 1e-9, kDuration};
     const reference::Motions truth = test::referenceRun(world, kDuration);
     const Reference reference = computeReference(world.bench.world, world.bench.initial, kDuration);
-    const std::vector<Setting> settings = ladders(world, reference);
+    const std::vector<Setting> settings =
+        test::ladders(world.bench.world, world.bench.initial, reference);
     for (double tolerance : {1e-3, 1e-6, 1e-9}) {
       world.bench.world.solver.tolerance = tolerance;
       Simulation simulation = world.bench.simulation("auto", kStep);
@@ -142,11 +125,8 @@ TEST(Trade, FindsThatAutoHoldsItsToleranceAtTwiceTheLeastCost) {
 
       const Method* row = simulation.groups()[0].choice().method;
       if (!row) continue;  // solved: the cost of a step is none of the catalogue's
-      double least = std::numeric_limits<double>::infinity();
-      for (const Setting& s : settings)
-        if (s.time_step <= kStep && s.errors.bounded() <= tolerance)
-          least = std::min(least, countedCost(methodNamed(s.integrator), s.force_evaluations));
-      EXPECT_LE(countedCost(*row, simulation.evaluations()), 2 * least)
+      EXPECT_LE(countedCost(*row, simulation.evaluations()),
+                2 * test::leastCost(settings, kStep, tolerance))
           << seed << ' ' << tolerance << ' ' << row->name;
     }
   }

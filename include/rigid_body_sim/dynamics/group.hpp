@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <rigid_body_sim/dynamics/choose_method.hpp>
+#include <rigid_body_sim/dynamics/exchange_meter.hpp>
 #include <rigid_body_sim/dynamics/solved_motion.hpp>
 #include <rigid_body_sim/dynamics/world.hpp>
 #include <rigid_body_sim/dynamics/wrench_schedule.hpp>
@@ -30,6 +31,10 @@ class Group {
   void advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
                std::vector<BodyState>& bodies);
 
+  /// The same, metered.
+  void advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
+               std::vector<BodyState>& bodies, ExchangeMeter& meter);
+
   /// The parts in which a step of h must at least be taken for the method to follow what turns,
   /// swings or decays at the present states of all bodies.
   double partsNeeded(double h, const std::vector<BodyState>& bodies);
@@ -44,9 +49,14 @@ class Group {
  private:
   std::size_t localIndex(std::size_t body) const;
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
-  void solve(double t, double t_end, double next_event);
+  template <class Meter>
+  void advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules,
+                      std::vector<BodyState>& bodies, Meter& meter);
+  template <class Meter>
+  void solve(double t, double t_end, double next_event, Meter& meter);
   double fastestRate(double h) const;
-  void stepInParts(double h);
+  template <class Meter>
+  void stepInParts(double h, Meter& meter);
 
   std::vector<std::size_t> members_;
   MethodChoice choice_;
@@ -54,6 +64,7 @@ class Group {
   Workspace workspace_;
   std::vector<BodyState> states_;       // of the members, while they are advanced
   std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
+  ErrorBound bound_;                    // of a solved motion; none: to rounding
   double law_rate_ = 0;                 // [1/s] the fastest that laws bring about at any state
   int most_parts_ = 1;
 };

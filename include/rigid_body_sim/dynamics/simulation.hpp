@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/balance.hpp>
 #include <rigid_body_sim/dynamics/group.hpp>
 
 namespace rigid_body_sim {
@@ -61,6 +63,11 @@ class Simulation {
   /// Number of wrenches that act now or are to come.
   std::size_t wrenchCount() const;
 
+  /// The wrenches that act on a body now.
+  const std::vector<PointWrench>& activeWrenches(std::size_t body) const {
+    return schedules_[body].active();
+  }
+
   /// Sum of the wrenches applied to a body now, without gravity.
   Wrench appliedWrench(std::size_t body) const;
 
@@ -72,21 +79,37 @@ class Simulation {
   std::int64_t evaluations() const;
 
   /// From now on a second simulation runs along at twice the step, for half the cost: by how much
-  /// the two differ tells the error (Richardson). Bodies whose motion is solved differ by rounding
-  /// only; where all are, nothing runs along.
+  /// the two differ tells the error (Richardson). Bodies whose motion is solved
+  /// to rounding do not count; where all are, nothing runs along.
   void trackError();
 
   /// The greatest error so far since trackError, estimated at every other step: the difference of
   /// the two runs over 2^order − 1. Infinite once the second run has diverged.
   const ErrorEstimate& errorEstimate() const { return error_; }
 
+  /// From now on every step is metered, for what it takes to follow it once or twice more
+  /// (ExchangeMeter); the motion keeps its bits. The balance starts anew with a body's state set
+  /// from outside and with a reset.
+  void trackBalance();
+
+  /// E − E₀ − work, p − p₀ − ∫f and L − L₀ − ∫τ since the balance was started; not numbers unless
+  /// it is tracked.
+  Totals balance() const;
+
+  /// Work of all that has no potential energy, impulse and angular impulse of all forces, likewise.
+  Totals exchanged() const;
+
+  /// Neither errors nor the balance are tracked from now on.
+  void stopTracking();
+
   /// How the bodies are advanced: those that act on one another together, each group in its way.
   const std::vector<Group>& groups() const { return groups_; }
 
+  /// Starts the balance anew.
   void setState(std::size_t body, const BodyState& state);
 
-  /// Back to the initial states, every wrench cleared. Time runs on; or it starts again at zero,
-  /// and with it the schedule of the scene.
+  /// Back to the initial states, every wrench cleared, the balance started anew. Time runs on; or
+  /// it starts again at zero, and with it the schedule of the scene.
   void reset(bool restart_time);
 
  private:
@@ -95,11 +118,16 @@ class Simulation {
   static constexpr double kTrialAtStart = 3e5;
   static constexpr double kTrialInTheRun = 3e3;
 
+  template <class Advance>
+  void stepBy(const Advance& advance);
+  void acceptStep();
+  void trackedStep();
   void formGroups(double most_trial_steps);
   MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
-  bool allSolved() const;
+  bool solvedToRounding(const Group& group) const;
   void startCoarse();
   void followCoarse();
+  void startBalance();
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const State> initial_;
@@ -112,9 +140,11 @@ class Simulation {
   std::vector<std::size_t> group_of_;  // body -> index in groups_; of no account for a fixed body
   std::map<std::vector<std::size_t>, MethodChoice> choices_;  // of auto, by members
   double most_turn_share_ = 1;                                // MethodChoice's
+  bool tracked_ = false;                                      // error or balance
   bool tracks_error_ = false;
   std::shared_ptr<Simulation> coarse_;  // at twice the step; null until a step of even count
   ErrorEstimate error_;
+  std::optional<Balance> balance_;  // where it is tracked
 };
 
 }  // namespace rigid_body_sim

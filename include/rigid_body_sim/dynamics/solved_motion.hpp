@@ -14,7 +14,7 @@ class SolvedMotion {
  public:
   /// Anchors the motion at a state of time t [s]; it is not asked for beyond t + horizon.
   SolvedMotion(const Body& body, const HeldWrench& wrench, const Vector3d& g_W, double t,
-               const BodyState& state, double horizon);
+               const BodyState& state, double horizon, const ErrorBound& bound = {});
 
   /// [s] the time up to which the solution holds; NaN where the motion is not finite.
   double validUntil() const;

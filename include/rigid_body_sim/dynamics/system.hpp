@@ -34,6 +34,10 @@ struct Workspace {
 void evaluateWrenches(const System& system, const std::vector<BodyState>& states,
                       Workspace& workspace);
 
+/// As evaluateWrenches, without gravity and laws, but with drag: what has no potential energy.
+void evaluateAppliedAndDrag(const System& system, const std::vector<BodyState>& states,
+                            Workspace& workspace);
+
 /// As evaluateWrenches, with drag.
 void evaluateWrenchesAndDrag(const System& system, const std::vector<BodyState>& states,
                              Workspace& workspace);

@@ -11,8 +11,35 @@
 
 namespace rigid_body_sim {
 
+/// A bound on the error of a run, and the time over which it is to hold.
+struct ErrorBound {
+  double attitude = 0;  ///< [rad]; below rounding, such as 0: to rounding
+  double horizon = 0;   ///< [s]
+};
+
+/// The highest degree of the series: from 18 on, what longer segments save is about what each
+/// costs more.
+constexpr std::size_t kHighestTaylorDegree = 20;
+
+/// Coefficients by degree, up to the highest.
+template <class T>
+struct TaylorSeries {
+  using Coefficients = T[kHighestTaylorDegree + 1][4];
+  Coefficients w;        ///< angular velocity, principal axes
+  Coefficients q;        ///< attitude (x, y, z, w)
+  Coefficients squares;  ///< time integral of (xx, yy, zz), from degree 1 on
+  Coefficients crosses;  ///< of (xy, yz, zx)
+  Coefficients turns;    ///< of (wx, wy, wz)
+  Coefficients pull;     ///< of the torque of a TaylorPull, world axes
+};
+
+template <class T>
+struct TaylorEquations;
+template <class T>
+struct TaylorPull;
+
 /// The motion of one body from a start on, under a wrench that stays constant in the world or in
-/// the body: its Taylor series about the start, to rounding for as long as validFor() says.
+/// the body: its Taylor series about the start, for as long as validFor() says.
 ///
 /// With such a wrench the equations are polynomial, so that each coefficient follows from those
 /// before it by sums of products, R being quadratic in q:
@@ -23,18 +50,16 @@ namespace rigid_body_sim {
 template <class T>
 class TaylorSegmentT {
  public:
-  /// The highest degree of the series: from 18 on, what longer segments save is about what each
-  /// costs more.
-  static constexpr int kOrder = 20;
-
   /// g_W [m/s²]: uniform gravity. start.q_WP must be a unit quaternion.
   /// horizon [s]: the longest dt that will be asked for, where it is known; a short one takes fewer
   /// terms. It promises nothing: see validFor().
+  /// bound: what the error of a run may be; without one, the series hold to rounding.
   TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
-                 const BodyStateT<T>& start, T horizon = std::numeric_limits<T>::infinity());
+                 const BodyStateT<T>& start, T horizon = std::numeric_limits<T>::infinity(),
+                 const ErrorBound& bound = {});
 
-  /// [s] How long after its start the series holds to rounding. Infinite where the body does not
-  /// turn; NaN where the motion is not finite.
+  /// [s] How long after its start the series holds. Infinite where the body does not turn; NaN
+  /// where the motion is not finite.
   T validFor() const { return valid_for_; }
 
   /// The state dt [s] after the start, 0 <= dt <= validFor(). At dt = 0 it is the start.
@@ -47,41 +72,34 @@ class TaylorSegmentT {
   BodyStateT<T> at(T dt) const;
 
  private:
-  using Array4 = Eigen::Array<T, 4, 1>;  // four lanes, of which vectors use three
-  using Series = std::array<Array4, kOrder + 1>;
-  struct Equations;
+  using Array4 = Eigen::Array<T, 4, 1>;
 
-  using Rotations = std::array<Matrix3<T>, kOrder>;  // series of R
-  using Torques = std::array<Vector3<T>, kOrder>;    // series of a torque in world axes
+  void setUp(TaylorEquations<T>& equations);
+  void setUp(const Vector3<T>& pull_W, TaylorPull<T>& pull) const;
 
-  /// The coefficients of ω and q, from those before them. Without kTurned nothing but the torque
-  /// free equations is evaluated; kPulled: forces act at world points.
-  template <bool kTurned, bool kPulled>
-  void expand(const Equations& equations, T time_unit);
+  /// How long, in time units, the last terms stay below a relative size.
+  T length(T size) const;
 
-  /// The series of momentum, displacement and angular momentum that R brings.
-  void integrate(const Equations& equations, T time_unit, const Rotations& R,
-                 const Torques& pull_torque);
-
-  /// How long, in time units, the series holds; last_R: the greatest element of the last of R.
-  T length(T last_R) const;
+  Vector3<T> pulledMoment(T s) const;
+  Vector3<T> bodyDisplacement(T s) const;
 
   BodyStateT<T> start_;
   Vector3<T> I_;
   T inv_mass_;
-  Vector3<T> f_W_;          // [N] constant part of the force, with gravity
-  Vector3<T> a_W_;          // [m/s²] constant part of the acceleration
-  Vector3<T> tau_W_;        // [N m] constant part of the torque in world axes
-  bool body_force_;         // whether momentum_ and displacement_ are there
-  bool body_torque_;        // whether angular_impulse_ is there
-  std::size_t degree_;      // of the series
-  T rate_unit_;             // [1/s] power of two; the series are in s = rate_unit_ dt
-  T valid_for_;             // [s]
-  Series w_;                // [rate unit] angular velocity, principal axes
-  Series q_;                // attitude
-  Series momentum_;         // [N s] of the force fixed in the body, world axes
-  Series displacement_;     // [m] due to it
-  Series angular_impulse_;  // [N m s] of the torque beyond tau_W, world axes
+  Vector3<T> f_W_;      // [N] constant part of the force, with gravity
+  Vector3<T> a_W_;      // [m/s²] constant part of the acceleration
+  Vector3<T> f_P_;      // [N] force fixed in the body
+  Vector3<T> tau_W_;    // [N m] constant part of the torque in world axes
+  Vector3<T> tau_P_;    // [N m] torque fixed in the body
+  Matrix3<T> moments_;  // [N m] Σ armᵢ forceᵢᵀ, arms in P, forces in W
+  bool body_force_;     // whether momentum gains more than f_W dt
+  bool body_torque_;    // whether angular momentum gains more than tau_W dt
+  bool pulled_;         // whether forces act at points of the world
+  bool turned_;         // whether the series of products of q are there
+  std::size_t degree_;  // of the series
+  T rate_unit_;         // [1/s] power of two; the series are in s = rate_unit_ dt
+  T valid_for_;         // [s]
+  TaylorSeries<T> series_;
 };
 
 using TaylorSegment = TaylorSegmentT<double>;
@@ -90,11 +108,11 @@ using TaylorSegment = TaylorSegmentT<double>;
 /// a million would not do.
 template <class T>
 BodyStateT<T> advanceTaylor(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
-                            BodyStateT<T> state, T duration) {
+                            BodyStateT<T> state, T duration, const ErrorBound& bound = {}) {
   constexpr int kMostSegments = 1000000;
   T left = duration;
   for (int count = 0; count < kMostSegments; ++count) {
-    const TaylorSegmentT<T> segment(body, wrench, g_W, state, left);
+    const TaylorSegmentT<T> segment(body, wrench, g_W, state, left, bound);
     if (!(segment.validFor() < left)) return segment.at(left);
     state = segment.at(segment.validFor());
     left -= segment.validFor();

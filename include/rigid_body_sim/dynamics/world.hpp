@@ -14,6 +14,8 @@ struct SolverOptions {
   double tolerance = 1e-9;          ///< with auto: bound on the attitude error [rad] and on the
                                     ///< position error relative to the path length, over horizon
   double horizon = 10;              ///< [s]
+  bool tolerance_stated = false;    ///< with auto: whether motions that can be solved need no more
+                                    ///< than the tolerance; else they are solved to rounding
 };
 
 /// Everything that a simulation holds constant: what the scene named and nothing else.

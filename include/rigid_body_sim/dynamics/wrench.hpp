@@ -42,6 +42,14 @@ struct PointWrench {
 /// Whether axes or point turn with a body other than the one acted on.
 bool isCoupled(const PointWrench& applied);
 
+/// A force or torque of an applied wrench, from its axes to the world's.
+Vector3d toWorldAxes(const PointWrench& applied, const Vector3d& v,
+                     const std::vector<BodyState>& bodies);
+
+/// [m] From the centre of mass of the body acted on to the point at which the force acts, world
+/// axes.
+Vector3d armOf(const PointWrench& applied, const std::vector<BodyState>& bodies);
+
 /// Adds an applied wrench at the given states of all bodies.
 void addPointWrench(const PointWrench& applied, const std::vector<BodyState>& bodies,
                     Wrench& wrench);

@@ -1,0 +1,24 @@
+#include <limits>
+
+#include <rigid_body_sim/dynamics/totals.hpp>
+
+namespace rigid_body_sim {
+
+Totals Totals::unknown() {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  return {kNaN, Vector3d::Constant(kNaN), Vector3d::Constant(kNaN)};
+}
+
+Totals totalsOf(const World& world, const State& state) {
+  Totals sum;
+  sum.energy = mechanicalEnergy(world, state);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (world.bodies[i].fixed) continue;
+    const BodyState& body = state.bodies[i];
+    sum.momentum += body.p_W;
+    sum.angular_momentum += body.L_W + Vector3d(body.x_W + body.x_low_W).cross(body.p_W);
+  }
+  return sum;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include <visualization_msgs/Marker.h>
+
+#include <rigid_body_sim/dynamics/wrench.hpp>
+
+namespace rigid_body_sim {
+
+/// [m] How large a body is: the diameter of the homogeneous ball that has its mass and the sum of
+/// its moments,  2 √(5 (I₁ + I₂ + I₃) / (6 m)).
+double sizeOf(const Body& body);
+
+/// Arrows in the world that show what acts on a body and how it turns; without header and id, in
+/// the namespaces wrench/force, wrench/couple and motion/angular_momentum:
+///   a force and a couple, each from the point at which the wrench acts,
+///   the angular momentum from the centre of mass.
+/// An arrow is as long as the body (sizeOf) for a force equal to the weight on Earth, a couple
+/// equal to the weight on half a body's size, and the angular momentum of half a turn a second
+/// about the axis of the greatest moment. Length goes with the square root of the magnitude, from a
+/// tenth of the body to three times the body, so that a thruster and a blow can be seen in one
+/// picture. What is beyond twelve decimal digits below those has no arrow: it is rounding.
+std::vector<visualization_msgs::Marker> wrenchArrows(const PointWrench& applied,
+                                                     const std::vector<Body>& bodies,
+                                                     const std::vector<BodyState>& states);
+std::vector<visualization_msgs::Marker> momentumArrows(const Body& body, const BodyState& state);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <visualization_msgs/InteractiveMarker.h>
+#include <visualization_msgs/InteractiveMarkerFeedback.h>
+
+namespace rigid_body_sim {
+
+/// Offers handles to viewers by the protocol of the package interactive_markers: on
+/// ~push/update_full what there is, latched; on ~push/update changes and signs of life, each with a
+/// number that counts the changes; from ~push/feedback what the viewers do.
+///
+/// That package's own server would bring a queue or thread of its own, and a timer in ROS time,
+/// which stands still with a paused clock and runs for nobody. Here feedback comes from whoever
+/// serves the queue of the node handle, and the rest is sent to subscribers only.
+class HandleTopics {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Feedback = visualization_msgs::InteractiveMarkerFeedback;
+  using Sink = std::function<void(const Feedback&)>;
+
+  HandleTopics(ros::NodeHandle private_nh,
+               const std::vector<visualization_msgs::InteractiveMarker>& handles, const Sink& sink);
+
+  /// Twice a second a sign of life: a viewer starts, and goes on, only with it.
+  void keepAlive(Clock::time_point now);
+
+  /// Puts a handle back to where it hangs on its frame.
+  void putBack(const std::string& handle);
+
+ private:
+  void publishAll();
+
+  std::vector<visualization_msgs::InteractiveMarker> handles_;
+  std::uint64_t changes_ = 0;
+  Clock::time_point next_sign_;
+  ros::Publisher all_;
+  ros::Publisher update_;
+  ros::Subscriber feedback_;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,22 @@
+#include "mouse.hpp"
+
+#include "handles.hpp"
+
+namespace rigid_body_sim {
+
+Mouse::Mouse(const ros::NodeHandle& private_nh, const Scene& scene, Simulation& simulation,
+             const TimeOrigin& origin, double wrench_timeout, Refusals& refusals)
+    : holds_(simulation, origin, wrench_timeout),
+      refusals_(refusals),
+      topics_(private_nh, toHandles(scene, simulation.world()),
+              [this](const HandleTopics::Feedback& feedback) { take(feedback); }) {}
+
+void Mouse::take(const HandleTopics::Feedback& feedback) {
+  const std::string fault = holds_.take(feedback);
+  if (!fault.empty()) refusals_.add(fault);
+  // even if the body was let go before: the viewer has dragged its handle away
+  if (feedback.event_type == HandleTopics::Feedback::MOUSE_UP)
+    topics_.putBack(feedback.marker_name);
+}
+
+}  // namespace rigid_body_sim

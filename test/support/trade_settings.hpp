@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <tools/trade_ladder.hpp>
+
+/// What the tests of trade measure with it.
+namespace rigid_body_sim::test {
+
+constexpr double kBriefly = 0.0005;  // [s] for timing a setting
+
+/// Enough for runs of some ten thousand steps of the lecture's update, however fast the machine and
+/// however the program was compiled: what the ladders of a test reach is then the same everywhere.
+inline Patience hasty(const World& world, const Reference& reference) {
+  constexpr double kSteps = 2e4;
+  const double h = world.solver.time_step;
+  const Setting simplest =
+      measureSetting(world, reference, "semi_implicit_euler", h, {kBriefly, 0});
+  return {kBriefly, kSteps * h * 1e-9 * simplest.cpu_ns_per_sim_s};
+}
+
+/// Every row that takes the world, over its ladder; auto, which is not a row, left out.
+inline std::vector<Setting> ladders(const World& world, const State& initial,
+                                    const Reference& reference) {
+  const Patience patience = hasty(world, reference);
+  std::vector<Setting> settings;
+  for (const std::string& row : integratorsFor(world, initial))
+    if (row != "auto")
+      climbLadder(
+          world, reference, row, [&](const Setting& s) { settings.push_back(s); }, patience);
+  return settings;
+}
+
+/// In the unit of Method::cost.
+inline double countedCost(const Method& row, std::int64_t evaluations) {
+  return row.cost * static_cast<double>(evaluations) / row.evaluations;
+}
+
+/// The least counted cost of those in steps of at most time_step that stay within the tolerance.
+inline double leastCost(const std::vector<Setting>& settings, double time_step, double tolerance) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Setting& s : settings)
+    if (s.time_step <= time_step && s.errors.bounded() <= tolerance)
+      least = std::min(least, countedCost(methodNamed(s.integrator), s.force_evaluations));
+  return least;
+}
+
+}  // namespace rigid_body_sim::test
