@@ -33,6 +33,9 @@ struct ErrorEstimate {
 /// another are advanced apart. A copy goes on by itself.
 class Simulation {
  public:
+  /// Wrenches that may act or be to come, of all bodies together.
+  static constexpr std::size_t kMostWrenches = 100000;
+
   /// Throws std::invalid_argument for an integrator that is unknown or refuses a wrench of the
   /// world.
   Simulation(World world, State initial);
@@ -49,7 +52,7 @@ class Simulation {
   State sample(double t) const;
 
   /// Applies a wrench; see WrenchSchedule::put for slots. Throws std::invalid_argument, and leaves
-  /// all as it was, for one that the integrator does not accept.
+  /// all as it was, for one that the integrator does not accept, and for one more than may be.
   void applyWrench(const std::string& slot, const PointWrench& wrench);
 
   /// Ends, now, every wrench, those of a body, or those of one slot of it.
