@@ -52,7 +52,9 @@ rigid_body_gtest(test_scene
     test/scene/test_forces.cpp
     test/scene/test_frames.cpp
     test/scene/test_law_scenes.cpp
+    test/scene/test_limits.cpp
     test/scene/test_key_errors.cpp
+    test/scene/test_mesh_limits.cpp
     test/scene/test_mesh_of_scene.cpp
     test/scene/test_numbers.cpp
     test/scene/test_parts_and_particles.cpp
