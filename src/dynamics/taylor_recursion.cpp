@@ -31,7 +31,12 @@ class PullRecursion {
   Vector3<T> accelerationOf(std::size_t k, const Lanes<T>& squares, const Lanes<T>& crosses,
                             const Lanes<T>& turns) {
     Matrix3<T>& R = R_[k];
-    setRotationMatrix<T>(k == 0 ? T(1) : T(0), squares, crosses, turns, R);
+    // as plain numbers: a template deduced from the lanes would take them for aligned to 32 bytes
+    T squares_k[4], crosses_k[4], turns_k[4];
+    store<T>(squares, squares_k);
+    store<T>(crosses, crosses_k);
+    store<T>(turns, turns_k);
+    setRotationMatrix<T>(k == 0 ? T(1) : T(0), squares_k, crosses_k, turns_k, R);
     if (k + 2 < torque_W_.size())
       torque_W_[k + 2] += vector(pull_.force_W).cross(R * vector(pull_.acceleration_P)) *
                           (kInverse<T>[k + 1] * kInverse<T>[k + 2]);

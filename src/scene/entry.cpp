@@ -43,7 +43,9 @@ void Entry::failRule(const std::string& rule) const {
   fail((key_.empty() ? "" : key_ + " ") + rule + ", got " + printable(*node_));
 }
 
-void Entry::fail(const std::string& message) const { throw SceneError(located(message)); }
+void Entry::fail(const std::string& message) const {
+  throw SceneError(oneLine(located(message)));  // a path may hold any byte
+}
 
 std::string Entry::located(const std::string& message) const {
   return context_->source + ":" + std::to_string(node_->line) + ": " +

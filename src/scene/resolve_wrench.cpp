@@ -54,6 +54,11 @@ std::string firstOf(std::initializer_list<std::string> faults) {
   return "";
 }
 
+std::string finiteFault(const Vector3d& point, const Vector3d& force, const Vector3d& torque) {
+  return firstOf(
+      {vectorFault("point", point), vectorFault("force", force), vectorFault("torque", torque)});
+}
+
 }  // namespace
 
 ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& bodies,
@@ -62,9 +67,8 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
   ResolvedWrench resolved;
   resolved.fault =
       firstOf({bodyFault(wrench.body, bodies, frames), frameFault("frame", wrench.frame, frames),
-               frameFault("point_frame", point_frame, frames), vectorFault("point", wrench.point),
-               vectorFault("force", wrench.force), vectorFault("torque", wrench.torque),
-               timeFault(wrench)});
+               frameFault("point_frame", point_frame, frames),
+               finiteFault(wrench.point, wrench.force, wrench.torque), timeFault(wrench)});
   if (!resolved.fault.empty()) return resolved;
 
   const FixedFrame& axes = *frames.find(wrench.frame);
@@ -78,6 +82,8 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
   applied.point = place.X_PF * wrench.point;
   applied.start = wrench.start;
   applied.end = wrench.start + wrench.duration;
+  // what is finite in its own frame may not be so in another
+  resolved.fault = finiteFault(applied.point, applied.force, applied.torque);
   return resolved;
 }
 

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     initialState(scene, world);
   } catch (const SceneError& refused) {
     const std::string line = refused.what();
-    if (line.find_first_of("\n\r") != std::string::npos || line.size() > 1000) std::abort();
+    if (line.find_first_of("\n\r") != std::string::npos || line.size() > 10000) std::abort();
   }
   return 0;
 }

@@ -90,6 +90,12 @@ TEST(SceneText, IsRefusedWhenNestedTooDeep) {
   EXPECT_EQ(errorOf(nested(100000)), "s.yaml:1: nested deeper than 32 levels");
 }
 
+TEST(SceneText, NamesAFileOnOneLineWhateverItsBytes) {
+  EXPECT_EQ(
+      errorOf("time_step: 1\nbodies:\n- name: a\n  shape: {mesh: {file: \"/no\\nfile.stl\"}}\n"),
+      "s.yaml:4: body 'a': shape.mesh.file: /no?file.stl: mesh file does not exist");
+}
+
 TEST(SceneText, IsQuotedOnOneLineHoweverLong) {
   const std::string error =
       errorOf("time_step: \"a\\nb" + std::string(1000, 'x') + "\"\nbodies: []\n");

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
@@ -188,6 +190,21 @@ TEST_F(Frames, RefusesAWrenchOfBadNumbers) {
   EXPECT_EQ(faultWith([&](WrenchDef& w) { w.duration = nan; }), "duration must be > 0 s, got nan");
   EXPECT_EQ(faultWith([&](WrenchDef& w) { w.start = 1e20; }),
             "duration must be long enough to count beside start 1e+20 s, got 2");
+}
+
+TEST_F(Frames, RefusesAWrenchThatIsFiniteInItsOwnFrameOnly) {
+  WrenchDef wrench = wrenchIn("box/tip");
+  wrench.frame = "box";  // its principal axes are turned: components add up
+  wrench.force.setConstant(1.7e308);
+  EXPECT_EQ(faultOf(wrench).substr(0, 26), "force must be finite, got ");
+
+  FrameTable table = frames_;
+  Isometry3d far = Isometry3d::Identity();
+  far.translation().x() = std::numeric_limits<double>::infinity();
+  table.attach("far", "box", far);
+  wrench = wrenchIn("far");
+  EXPECT_EQ(resolveWrench(wrench, world_.bodies, table).fault.substr(0, 26),
+            "point must be finite, got ");
 }
 
 TEST(SceneWrench, IsRefusedWithItsLineWhenItNamesWhatIsNotThere) {
