@@ -118,6 +118,7 @@ class Trial {
 /// What the rows are held against.
 struct Truth {
   Track track;
+  int parts;    ///< of its steps
   bool agrees;  ///< with itself at longer steps, within the tolerance or as far as rounding lets it
 };
 
@@ -126,6 +127,7 @@ struct Truth {
 std::optional<Truth> truthOf(const Trial& trial) {
   const Method& dop853 = methodNamed("dop853");
   std::optional<Track> last;
+  int last_parts = 1;
   double last_error = std::numeric_limits<double>::infinity();
   for (int parts = 1; parts <= trial.mostParts(); parts *= 2) {
     std::optional<Run> run = trial.run(dop853, parts);
@@ -133,14 +135,15 @@ std::optional<Truth> truthOf(const Trial& trial) {
     if (run && last) {
       const double error = trial.error(*last, run->track);
       if (error < 0.01 || (error < 1 && error >= last_error) || trial.isStuck(error, last_error))
-        return Truth{std::move(run->track), true};
+        return Truth{std::move(run->track), parts, true};
       last_error = error;
     }
     last.reset();
     if (run) last = std::move(run->track);
+    last_parts = parts;
   }
   if (!last) return std::nullopt;
-  return Truth{std::move(*last), last_error < 1};
+  return Truth{std::move(*last), last_parts, last_error < 1};
 }
 
 }  // namespace
@@ -153,6 +156,10 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
   const std::optional<Truth> truth = truthOf(trial);
   MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), 1, false};
   if (!truth) return best;
+  if (!truth->agrees) {
+    best.parts = truth->parts;
+    return best;
+  }
   double best_cost = std::numeric_limits<double>::infinity();
   // from the highest order down: what holds a tight tolerance bounds the cost of the others early
   for (auto row = catalogue().rbegin(); row != catalogue().rend(); ++row) {
@@ -171,7 +178,6 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
       last_error = error;
     }
   }
-  best.holds = best.holds && truth->agrees;
   return best;
 }
 
