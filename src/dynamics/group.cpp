@@ -92,7 +92,8 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
         system_.coupled.push_back(wrench);
     }
   }
-  speeds_up_ = system_.drags;
+  drag_counts_ = system_.drags && choice_.method && !choice_.method->claimsTo(kRelaxes);
+  speeds_up_ = drag_counts_;
   for (const HeldWrench& held : system_.held) speeds_up_ |= !held.torqueFree();
   workspace_.wrenches_current = false;
   solved_.reset();
@@ -140,7 +141,6 @@ double Group::fastestRate(double h) const {
 /// [1/s] What torques may spin a body up to within h, and the decay by drag at the speed that
 /// steady forces may bring about: quadratic drag grows with it.
 double Group::rateBroughtAbout(double h) const {
-  const bool drags = system_.drags && !choice_.method->claimsTo(kRelaxes);
   double fastest = 0;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const Body& body = *system_.bodies[k];
@@ -149,7 +149,7 @@ double Group::rateBroughtAbout(double h) const {
     const Vector3d L_dot_P = rotateBack(states_[k].q_WP, wrench.tau_W) + wrench.tau_P;
     const Vector3d w_end_P = angularVelocity(body.inv_I, Vector3d(states_[k].L_P + h * L_dot_P));
     fastest = std::max(fastest, w_end_P.norm());
-    if (!drags) continue;
+    if (!drag_counts_) continue;
     const double push = body.mass * system_.g_W.norm() + held.f_W.norm() + held.f_P.norm();
     fastest = std::max(fastest, dragRate(body, (states_[k].p_W.norm() + h * push) / body.mass));
   }

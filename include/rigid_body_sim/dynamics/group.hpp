@@ -66,7 +66,8 @@ class Group {
   std::vector<BodyState> states_;       // of the members, while they are advanced
   std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
   ErrorBound bound_;                    // of a solved motion; none: to rounding
-  bool speeds_up_ = false;              // whether drag or torques bring rates about
+  bool drag_counts_ = false;            // whether the method must follow the decay by drag
+  bool speeds_up_ = false;              // whether that or torques bring rates about
   double law_rate_ = 0;                 // [1/s] the fastest that laws bring about at any state
   int most_parts_ = 1;
 };

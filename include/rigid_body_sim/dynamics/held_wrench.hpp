@@ -14,14 +14,14 @@ namespace rigid_body_sim {
 struct HeldWrench {
   /// A force fixed in the world that acts at a point fixed in the body.
   struct Lever {
-    Vector3d arm_P;    ///< [m]
-    Vector3d force_W;  ///< [N], also part of f_W
+    Vector3d arm_P;                      ///< [m]
+    Vector3d force_W;                    ///< [N], also part of f_W
     Vector3d lost_W = Vector3d::Zero();  ///< [N] what force_W is too coarse to hold
   };
   /// A force fixed in the world that acts at a point fixed in the world.
   struct Pull {
-    Vector3d point_W;  ///< [m]
-    Vector3d force_W;  ///< [N], also part of f_W
+    Vector3d point_W;                    ///< [m]
+    Vector3d force_W;                    ///< [N], also part of f_W
     Vector3d lost_W = Vector3d::Zero();  ///< [N]
   };
 
