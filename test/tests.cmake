@@ -52,7 +52,9 @@ rigid_body_gtest(test_scene
     test/scene/test_forces.cpp
     test/scene/test_frames.cpp
     test/scene/test_law_scenes.cpp
+    test/scene/test_limits.cpp
     test/scene/test_key_errors.cpp
+    test/scene/test_mesh_limits.cpp
     test/scene/test_mesh_of_scene.cpp
     test/scene/test_numbers.cpp
     test/scene/test_parts_and_particles.cpp
@@ -69,24 +71,28 @@ rigid_body_gtest(test_node
   SOURCES
     test/ros/test_arrow_markers.cpp
     test/ros/test_conversions.cpp
+    test/ros/test_input_replay.cpp
     test/ros/test_handles.cpp
     test/ros/test_markers.cpp
     test/ros/test_mouse_holds.cpp
     test/ros/test_mouse_spring.cpp
     test/ros/test_node_options.cpp
+    test/ros/test_outputs.cpp
     test/ros/test_pacing.cpp
     test/ros/test_state_requests.cpp
     test/ros/test_static_frames.cpp
     test/ros/test_status.cpp
     test/ros/test_wrench_intake.cpp
+    test/ros/test_wrench_matrix.cpp
     test/ros/test_wrench_messages.cpp
   LIBRARIES rigid_body_sim_ros)
 
 rigid_body_gtest(test_tools
   SOURCES
     test/tools/test_mass_properties_program.cpp
+    test/tools/test_simulate_bags.cpp
     test/tools/test_simulate_program.cpp
-  LIBRARIES rigid_body_sim_scene)
+  LIBRARIES rigid_body_sim_bag)
 target_compile_definitions(test_tools PRIVATE
   RIGID_BODY_SIM_CONFIG="${PROJECT_SOURCE_DIR}/config"
   RIGID_BODY_SIM_MASS_PROPERTIES="$<TARGET_FILE:mass_properties>"
@@ -114,14 +120,21 @@ function(rigid_body_rostest name)
   add_dependencies(test_${name} rigid_body_node)
   target_compile_definitions(test_${name} PRIVATE
     RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_node>"
+    RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:simulate>"
+    RIGID_BODY_SIM_FOLLOWER_SCENE="${PROJECT_SOURCE_DIR}/test/ros/follower.yaml"
     RIGID_BODY_SIM_TEST_SCENE="${PROJECT_SOURCE_DIR}/test/ros/lopsided.yaml")
 endfunction()
 set(driver test/ros/node_driver.cpp test/ros/reference_run.cpp)
 rigid_body_rostest(clock ${driver})
 rigid_body_rostest(doors ${driver})
+rigid_body_rostest(fleet ${driver})
 rigid_body_rostest(monitor ${driver})
 rigid_body_rostest(process)
+rigid_body_rostest(replay ${driver})
+target_link_libraries(test_replay rigid_body_sim_bag)
+add_dependencies(test_replay simulate)
 rigid_body_rostest(reset ${driver})
+rigid_body_rostest(same_bytes ${driver})
 rigid_body_rostest(rviz ${driver})
 # the viewers' side of the handles
 find_package(interactive_markers REQUIRED)
@@ -130,6 +143,13 @@ target_link_libraries(test_rviz ${interactive_markers_LIBRARIES})
 rigid_body_rostest(services ${driver})
 rigid_body_rostest(state_topics ${driver})
 rigid_body_rostest(wrench_services ${driver})
+
+# for scripts/soak
+add_executable(garbage EXCLUDE_FROM_ALL test/soak/garbage.cpp)
+target_link_libraries(garbage rigid_body_sim_ros rigid_body_compile_options)
+
+# the same program, but the scene comes as text from a launch file
+add_rostest(test/ros/remote.test DEPENDENCIES test_state_topics)
 
 file(GLOB launch_files RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/launch/*.launch)
 foreach(launch_file ${launch_files})

@@ -13,7 +13,8 @@ namespace {
 /// series of degree N to rounding ε holds for at most ε^(1/N) = 1/6 of its radius of convergence
 /// (N = 20). Where the integrand is analytic up to there, the rule's error falls by
 /// r² >= (22/share)² a node: r is the sum of the half axes of the ellipse with foci at both ends
-/// that reaches the nearest singularity. Source: Trefethen, SIAM Review 50 (2008) 67, theorem 4.5.
+/// that reaches the nearest singularity. Series to a looser tolerance reach further; there the rule
+/// errs by less than they do. Source: Trefethen, SIAM Review 50 (2008) 67, theorem 4.5.
 int nodesFor(double share) {
   constexpr double kDigits = 18;
   const double digits_a_node = 2 * std::log10(22 / std::max(share, 1e-12));
@@ -43,7 +44,7 @@ void ExchangeMeter::solve(const System& system, double h, const BodyState& start
   BodyState state = start;
   double t = 0;
   for (int segments = 0; t < h; ++segments) {
-    const SolvedMotion motion(*system.bodies[0], system.held[0], system.g_W, t, state, h - t);
+    const SolvedMotion motion(*system.bodies[0], system.held[0], system.g_W, t, state, h - t, {});
     const double t_end = std::min(h, motion.validUntil());
     if (!(t_end > t) || segments == kMostSegments) {
       sum_ = Totals::unknown();

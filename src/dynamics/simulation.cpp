@@ -134,6 +134,9 @@ MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_s
 }
 
 void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench) {
+  if (wrenchCount() >= kMostWrenches)
+    throw std::invalid_argument("at most " + std::to_string(kMostWrenches) +
+                                " wrenches may act or be to come");
   if (method_ && !HeldWrench::holds(wrench))
     requireTaken(*method_, kCoupling, world_->bodies[wrench.body].name);
   schedules_[wrench.body].put(slot, wrench, state_.t);

@@ -1,5 +1,7 @@
 #include "live_markers.hpp"
 
+#include <utility>
+
 #include "arrow_markers.hpp"
 
 namespace rigid_body_sim {
@@ -7,8 +9,6 @@ namespace {
 
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
-
-constexpr std::uint32_t kQueueSize = 100;
 
 void append(const std::vector<Marker>& more, MarkerArray& all) {
   all.markers.insert(all.markers.end(), more.begin(), more.end());
@@ -33,15 +33,15 @@ std::map<std::size_t, Trail> trailsOf(const std::vector<Body>& bodies) {
 
 }  // namespace
 
-LiveMarkers::LiveMarkers(ros::NodeHandle private_nh, const std::string& world_frame,
+LiveMarkers::LiveMarkers(Topic<MarkerArray> topic, const std::string& world_frame,
                          const Simulation& simulation)
     : simulation_(simulation),
       world_frame_(world_frame),
-      publisher_(private_nh.advertise<MarkerArray>("markers", kQueueSize)),
+      topic_(std::move(topic)),
       trails_(trailsOf(simulation.world().bodies)) {}
 
 void LiveMarkers::publish(const ros::Time& stamp) {
-  if (publisher_.getNumSubscribers() == 0) {
+  if (!topic_.heard()) {
     shown_.clear();
     breakTrails();
     return;
@@ -55,7 +55,7 @@ void LiveMarkers::publish(const ros::Time& stamp) {
     marker.header.frame_id = world_frame_;
     marker.header.stamp = stamp;
   }
-  if (!all.markers.empty()) publisher_.publish(all);
+  if (!all.markers.empty()) topic_.publish(all, stamp);
 }
 
 void LiveMarkers::breakTrails() {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include <ros/node_handle.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "topic.hpp"
 #include "trail.hpp"
 
 namespace rigid_body_sim {
@@ -18,9 +18,7 @@ namespace rigid_body_sim {
 /// somebody looks: a trail starts then.
 class LiveMarkers {
  public:
-  /// The latched publisher of the bodies comes first on the topic: a publisher latches its own
-  /// messages only, and whoever comes late is sent the bodies, not old arrows.
-  LiveMarkers(ros::NodeHandle private_nh, const std::string& world_frame,
+  LiveMarkers(Topic<visualization_msgs::MarkerArray> topic, const std::string& world_frame,
               const Simulation& simulation);
 
   /// Publishes the state as it is now; nothing without subscribers.
@@ -36,7 +34,7 @@ class LiveMarkers {
 
   const Simulation& simulation_;
   std::string world_frame_;
-  ros::Publisher publisher_;
+  Topic<visualization_msgs::MarkerArray> topic_;
   std::map<std::string, int> shown_;     // arrows by namespace; ids count from 0
   std::map<std::size_t, Trail> trails_;  // by body
 };

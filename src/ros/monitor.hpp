@@ -32,7 +32,7 @@ class Monitor {
 
  private:
   std::string world_frame_;
-  TimeOrigin origin_;
+  const TimeOrigin& origin_;
   Clock::time_point next_report_;
   Clock::time_point last_report_;
   double last_t_ = 0;

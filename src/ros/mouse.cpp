@@ -4,9 +4,9 @@
 
 namespace rigid_body_sim {
 
-Mouse::Mouse(const ros::NodeHandle& private_nh, const Scene& scene, Simulation& simulation,
-             const TimeOrigin& origin, double wrench_timeout, Refusals& refusals)
-    : holds_(simulation, origin, wrench_timeout),
+Mouse::Mouse(const ros::NodeHandle& private_nh, const Scene& scene, const Simulation& simulation,
+             Inputs& inputs, double wrench_timeout, Refusals& refusals)
+    : holds_(simulation, inputs, wrench_timeout),
       refusals_(refusals),
       topics_(private_nh, toHandles(scene, simulation.world()),
               [this](const HandleTopics::Feedback& feedback) { take(feedback); }) {}

@@ -13,8 +13,8 @@ namespace rigid_body_sim {
 /// Bodies pushed with the mouse in a viewer: handles out, pulls on the bodies in.
 class Mouse {
  public:
-  Mouse(const ros::NodeHandle& private_nh, const Scene& scene, Simulation& simulation,
-        const TimeOrigin& origin, double wrench_timeout, Refusals& refusals);
+  Mouse(const ros::NodeHandle& private_nh, const Scene& scene, const Simulation& simulation,
+        Inputs& inputs, double wrench_timeout, Refusals& refusals);
 
   /// Applies the pulls for the step to come.
   void pull() { holds_.pull(); }

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "input_messages.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -14,8 +16,8 @@ bool isFinite(const PointWrench& pull) {
 
 }  // namespace
 
-MouseHolds::MouseHolds(Simulation& simulation, const TimeOrigin& origin, double wrench_timeout)
-    : simulation_(simulation), origin_(origin), wrench_timeout_(wrench_timeout) {
+MouseHolds::MouseHolds(const Simulation& simulation, Inputs& inputs, double wrench_timeout)
+    : simulation_(simulation), inputs_(inputs), wrench_timeout_(wrench_timeout) {
   const std::vector<Body>& bodies = simulation.world().bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].fixed) moving_bodies_[bodies[i].name] = i;
@@ -82,7 +84,7 @@ void MouseHolds::pull() {
                simulation_.world().solver.time_step);
     pull.start = t;
     pull.end = hold.until;
-    simulation_.applyWrench(kSlot, pull);
+    inputs_.apply(wrenchInput(kSlot, pull, simulation_.world()));
   }
 }
 
@@ -94,7 +96,7 @@ void MouseHolds::letGo(const std::string& body) {
 
 void MouseHolds::release(std::size_t body) {
   holds_.erase(body);
-  simulation_.clearWrenches(body, kSlot);
+  inputs_.apply(clearInput(simulation_.world().bodies[body].name, kSlot));
 }
 
 void MouseHolds::note(Hold& hold) const {
@@ -104,7 +106,7 @@ void MouseHolds::note(Hold& hold) const {
   Isometry3d X_WB = Isometry3d::Identity();
   X_WB.linear() = motion.q_WB.toRotationMatrix();
   X_WB.translation() = motion.x_W;
-  hold.poses.add(origin_.stamp(simulation_.time()), X_WB);
+  hold.poses.add(inputs_.stamp(), X_WB);
 }
 
 }  // namespace rigid_body_sim

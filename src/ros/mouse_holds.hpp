@@ -7,7 +7,7 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
-#include "conversions.hpp"
+#include "inputs.hpp"
 #include "mouse_spring.hpp"
 #include "pose_history.hpp"
 
@@ -19,7 +19,7 @@ class MouseHolds {
  public:
   /// wrench_timeout [s of simulation time]: how long a body is pulled without feedback; 0: for
   /// ever.
-  MouseHolds(Simulation& simulation, const TimeOrigin& origin, double wrench_timeout);
+  MouseHolds(const Simulation& simulation, Inputs& inputs, double wrench_timeout);
 
   /// Takes what a viewer says: a button pressed on a handle, the handle dragged or kept where it
   /// is, the button released. Returns the fault of feedback that is refused and changes nothing:
@@ -48,8 +48,8 @@ class MouseHolds {
   void release(std::size_t body);
   void note(Hold& hold) const;
 
-  Simulation& simulation_;
-  TimeOrigin origin_;
+  const Simulation& simulation_;
+  Inputs& inputs_;
   double wrench_timeout_;
   std::map<std::string, std::size_t> moving_bodies_;  // by name
   std::map<std::size_t, Hold> holds_;                 // by body

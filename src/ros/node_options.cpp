@@ -1,7 +1,9 @@
 #include "node_options.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -58,6 +60,13 @@ double readNotNegative(const std::string& name, XmlRpcValue value) {
   return x;
 }
 
+std::optional<double> readTime(const std::string& name, XmlRpcValue value) {
+  constexpr double kLatest = std::numeric_limits<std::uint32_t>::max();  // of ros::Time
+  const double x = number(value);
+  if (!(x >= 0) || !(x <= kLatest)) refuse(name, value, "a time >= 0 s that ROS can tell");
+  return x;
+}
+
 using Reader = std::function<void(const std::string& name, const XmlRpcValue&, NodeOptions&)>;
 
 template <class T>
@@ -77,6 +86,7 @@ const std::map<std::string, Reader>& readers() {
       {"scene", into(&NodeOptions::scene_text, readText)},
       {"scene_file", into(&NodeOptions::scene_file, readText)},
       {"start_paused", into(&NodeOptions::start_paused, readBool)},
+      {"start_time", into(&NodeOptions::start_time, readTime)},
       {"wrench_timeout", into(&NodeOptions::wrench_timeout, readNotNegative)},
   };
   return table;
@@ -109,24 +119,29 @@ NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
   return options;
 }
 
-void checkClockOptions(const NodeOptions& options, bool use_sim_time) {
+void settleClock(NodeOptions& options, bool use_sim_time) {
+  options.follow_clock = use_sim_time && !options.publish_clock;
   if (options.publish_clock && !use_sim_time)
-    throw ParameterError(
-        "parameter ~publish_clock: must be false unless /use_sim_time is true, got 'true'; nobody "
-        "would follow the clock");
-  if (!options.publish_clock && use_sim_time)
-    throw ParameterError(
-        "parameter ~publish_clock: must be true when /use_sim_time is true, got 'false'; the "
-        "stamps would follow another clock than the other nodes");
+    refuse("publish_clock", options.publish_clock,
+           "false unless /use_sim_time is true: nobody would follow the clock");
+  if (options.reset_time && !options.publish_clock)
+    refuse("reset_time", options.reset_time,
+           "false unless ~publish_clock is true: stamps would go back while the clock runs on");
+  if (options.follow_clock && options.real_time_factor != 1)
+    refuse("real_time_factor", options.real_time_factor,
+           "1 where ~publish_clock is false and /use_sim_time true: the clock sets the pace");
+  if (options.start_time && !options.follow_clock)
+    refuse("start_time", *options.start_time,
+           "absent unless /use_sim_time is true and ~publish_clock false: no clock is followed");
 }
 
 NodeOptions loadNodeOptions() {
   XmlRpcValue parameters;
   ros::param::get(ros::this_node::getName(), parameters);
-  const NodeOptions options = toNodeOptions(parameters);
+  NodeOptions options = toNodeOptions(parameters);
   bool use_sim_time = false;
   ros::param::get("/use_sim_time", use_sim_time);
-  checkClockOptions(options, use_sim_time);
+  settleClock(options, use_sim_time);
   return options;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,8 +17,11 @@ struct NodeOptions {
   bool publish_clock = false;   ///< time starts at 0 and is sent on /clock
   double real_time_factor = 1;  ///< simulated / wall time, >= 0; 0: as fast as possible
   double wrench_timeout = 0.5;  ///< [s] of simulation time, >= 0; 0: held for ever
-  bool reset_time = false;      ///< reset starts time again
+  bool reset_time = false;      ///< reset starts time again; with publish_clock only
   bool start_paused = false;
+  std::optional<double> start_time;  ///< [s] where simulation time zero lies on a clock that is
+                                     ///< followed; none: where the clock is first heard
+  bool follow_clock = false;         ///< no parameter: /use_sim_time without publish_clock
 };
 
 /// A parameter that breaks its rule; what() is one line with name, value and rule.
@@ -30,9 +34,10 @@ class ParameterError : public std::invalid_argument {
 /// unknown name, a wrong type (an int will do for a double) or a value outside its rule.
 NodeOptions toNodeOptions(const XmlRpc::XmlRpcValue& parameters);
 
-/// Throws ParameterError when the clock that this node would send and the one that every node is
-/// told to follow are not the same: publish_clock needs /use_sim_time and the other way round.
-void checkClockOptions(const NodeOptions& options, bool use_sim_time);
+/// Which clock this node goes by, as /use_sim_time says that every node does: its own, of wall
+/// time; its own, that it sends to all (publish_clock); or that of another (follow_clock, set
+/// here). Throws ParameterError for options that do not go with it.
+void settleClock(NodeOptions& options, bool use_sim_time);
 
 /// Reads the parameter server. Needs ros::init.
 NodeOptions loadNodeOptions();

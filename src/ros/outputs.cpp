@@ -1,18 +1,13 @@
 #include "outputs.hpp"
 
 #include <algorithm>
-
-#include <rosgraph_msgs/Clock.h>
-#include <tf2_msgs/TFMessage.h>
+#include <utility>
 
 #include "markers.hpp"
 #include "state_messages.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-constexpr std::uint32_t kQueueSize = 100;
-constexpr bool kLatched = true;
 
 /// Arrows and trails are for the eye [1/s of simulation time].
 constexpr double kMarkerRate = 30;
@@ -26,30 +21,17 @@ Isometry3d poseOf(const PointDef& point) {
 
 }  // namespace
 
-Outputs::Outputs(ros::NodeHandle nh, ros::NodeHandle private_nh, const NodeOptions& options,
-                 const Scene& scene, const Simulation& simulation, const TimeOrigin& origin)
-    : simulation_(simulation),
-      world_frame_(scene.world_frame),
+Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& scene,
+                 const Simulation& simulation, const TimeOrigin& origin)
+    : topics_(std::move(topics)),
+      simulation_(simulation),
       origin_(origin),
+      world_frame_(scene.world_frame),
       publish_clock_(options.publish_clock),
-      state_ticker_(options.publish_rate),
-      clock_ticker_(options.clock_rate),
-      marker_ticker_(std::min(options.publish_rate, kMarkerRate)),
-      tf_(nh.advertise<tf2_msgs::TFMessage>("/tf", kQueueSize)),
-      tf_static_(nh.advertise<tf2_msgs::TFMessage>("/tf_static", kQueueSize, kLatched)),
-      markers_(
-          private_nh.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize, kLatched)),
-      live_markers_(private_nh, scene.world_frame, simulation),
-      states_(private_nh.advertise<BodyStates>("states", kQueueSize)) {
-  if (publish_clock_) clock_ = nh.advertise<rosgraph_msgs::Clock>("/clock", kQueueSize);
-  const std::vector<Body>& bodies = simulation.world().bodies;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const std::string& name = bodies[i].name;
-    if (bodies[i].fixed) continue;
-    bodies_.push_back(
-        {i, nh.advertise<nav_msgs::Odometry>(name + "/odom", kQueueSize),
-         nh.advertise<geometry_msgs::WrenchStamped>(name + "/applied_wrench", kQueueSize)});
-  }
+      state_ticker_(options.publish_rate, scene.time_step),
+      clock_ticker_(options.clock_rate, scene.time_step),
+      marker_ticker_(std::min(options.publish_rate, kMarkerRate), scene.time_step),
+      live_markers_(topics_.live_markers, scene.world_frame, simulation) {
   publishOnce(scene);
 }
 
@@ -66,8 +48,8 @@ void Outputs::publishOnce(const Scene& scene) {
       frames.transforms.push_back(
           toTransform(poseOf(point), body.name, body.name + "/" + point.name, stamp));
   }
-  if (!frames.transforms.empty()) tf_static_.publish(frames);
-  markers_.publish(toMarkers(scene));
+  if (!frames.transforms.empty()) topics_.tf_static.publish(frames, stamp);
+  topics_.markers.publish(toMarkers(scene), stamp);
 }
 
 void Outputs::publishDue() {
@@ -84,9 +66,6 @@ void Outputs::publishNow() {
 }
 
 void Outputs::restart() {
-  state_ticker_.restart();
-  clock_ticker_.restart();
-  marker_ticker_.restart();
   last_state_stamp_ = last_clock_stamp_ = last_marker_stamp_ = ros::Time();
 }
 
@@ -102,37 +81,38 @@ void Outputs::publishClock() {
   message.clock = origin_.stamp(simulation_.time());
   if (message.clock <= last_clock_stamp_) return;
   last_clock_stamp_ = message.clock;
-  clock_.publish(message);
+  topics_.clock.publish(message, message.clock);
 }
 
 void Outputs::publishState() {
   const ros::Time stamp = origin_.stamp(simulation_.time());
   if (stamp <= last_state_stamp_) return;
   last_state_stamp_ = stamp;
-  if (tf_.getNumSubscribers() > 0) publishTransforms(stamp);
-  if (states_.getNumSubscribers() > 0)
-    states_.publish(toBodyStates(simulation_.world(), simulation_.state(), world_frame_, stamp));
-  for (const BodyTopics& topics : bodies_) publishBody(topics, stamp);
+  if (topics_.tf.heard()) publishTransforms(stamp);
+  if (topics_.states.heard())
+    topics_.states.publish(
+        toBodyStates(simulation_.world(), simulation_.state(), world_frame_, stamp), stamp);
+  for (const BodyTopics& topics : topics_.bodies) publishBody(topics, stamp);
 }
 
 void Outputs::publishTransforms(const ros::Time& stamp) {
   tf2_msgs::TFMessage frames;
-  frames.transforms.reserve(bodies_.size());
-  for (const BodyTopics& topics : bodies_)
+  frames.transforms.reserve(topics_.bodies.size());
+  for (const BodyTopics& topics : topics_.bodies)
     frames.transforms.push_back(toTransform(simulation_.world().bodies[topics.body],
                                             simulation_.state().bodies[topics.body], world_frame_,
                                             stamp));
-  tf_.publish(frames);
+  topics_.tf.publish(frames, stamp);
 }
 
 void Outputs::publishBody(const BodyTopics& topics, const ros::Time& stamp) {
   const Body& body = simulation_.world().bodies[topics.body];
   const BodyState& state = simulation_.state().bodies[topics.body];
-  if (topics.odometry.getNumSubscribers() > 0)
-    topics.odometry.publish(toOdometry(body, state, world_frame_, stamp));
-  if (topics.applied_wrench.getNumSubscribers() > 0)
+  if (topics.odometry.heard())
+    topics.odometry.publish(toOdometry(body, state, world_frame_, stamp), stamp);
+  if (topics.applied_wrench.heard())
     topics.applied_wrench.publish(
-        toWrenchStamped(body, state, simulation_.appliedWrench(topics.body), stamp));
+        toWrenchStamped(body, state, simulation_.appliedWrench(topics.body), stamp), stamp);
 }
 
 }  // namespace rigid_body_sim

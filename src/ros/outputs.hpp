@@ -3,26 +3,26 @@
 #include <string>
 #include <vector>
 
-#include <ros/node_handle.h>
-
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/scene.hpp>
 
 #include "conversions.hpp"
 #include "live_markers.hpp"
 #include "node_options.hpp"
+#include "output_topics.hpp"
 #include "ticker.hpp"
 
 namespace rigid_body_sim {
 
-/// What the node tells: moving bodies on /tf, <body>/odom and <body>/applied_wrench, and all bodies
-/// on ~states, at the publish rate; /clock at its own; once, latched: fixed bodies and named points
-/// on /tf_static, and ~markers, on which LiveMarkers follow. Without subscribers nothing is
-/// computed. Stamps strictly increase.
+/// What a run tells, on ROS or into a bag: moving bodies on /tf, <body>/odom and
+/// <body>/applied_wrench, and all bodies on ~states, at the publish rate; /clock at its own; once,
+/// latched: fixed bodies and named points on /tf_static, and ~markers. Without subscribers nothing
+/// is computed. Stamps strictly increase.
 class Outputs {
  public:
-  Outputs(ros::NodeHandle nh, ros::NodeHandle private_nh, const NodeOptions& options,
-          const Scene& scene, const Simulation& simulation, const TimeOrigin& origin);
+  /// The simulation, that of the scene, and the origin are watched, not copied.
+  Outputs(OutputTopics topics, const NodeOptions& options, const Scene& scene,
+          const Simulation& simulation, const TimeOrigin& origin);
 
   /// Publishes what is due at a step.
   void publishDue();
@@ -37,13 +37,6 @@ class Outputs {
   void breakTrails() { live_markers_.breakTrails(); }
 
  private:
-  /// The topics of a body that moves.
-  struct BodyTopics {
-    std::size_t body;
-    ros::Publisher odometry;
-    ros::Publisher applied_wrench;
-  };
-
   void publishOnce(const Scene& scene);
   void publishState();
   void publishClock();
@@ -51,9 +44,10 @@ class Outputs {
   void publishTransforms(const ros::Time& stamp);
   void publishBody(const BodyTopics& topics, const ros::Time& stamp);
 
+  OutputTopics topics_;
   const Simulation& simulation_;
+  const TimeOrigin& origin_;
   std::string world_frame_;
-  TimeOrigin origin_;
   bool publish_clock_;
   Ticker state_ticker_;
   Ticker clock_ticker_;
@@ -61,13 +55,7 @@ class Outputs {
   ros::Time last_state_stamp_;
   ros::Time last_clock_stamp_;
   ros::Time last_marker_stamp_;
-  ros::Publisher tf_;
-  ros::Publisher tf_static_;
-  ros::Publisher markers_;
   LiveMarkers live_markers_;
-  ros::Publisher clock_;
-  ros::Publisher states_;
-  std::vector<BodyTopics> bodies_;
 };
 
 }  // namespace rigid_body_sim

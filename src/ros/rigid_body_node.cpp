@@ -43,6 +43,8 @@ int main(int argc, char** argv) {
     ROS_FATAL("%s", error.what());
     return kDiverged;
   } catch (const std::exception& error) {
+    // a shutdown on the way here leaves parameters unread
+    if (!ros::ok()) return kDone;
     std::fprintf(stderr, "rigid_body_node: %s\n", error.what());
     return kBadInput;
   }

@@ -5,20 +5,33 @@
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
+#include "input_messages.hpp"
+#include "ros_transport.hpp"
 #include "state_requests.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-/// Longest wait for a callback [s]: how soon a shutdown is seen.
-constexpr double kLongestWait = 0.05;
-
 constexpr std::uint32_t kQueueSize = 100;
+
+/// On a body, acting or to come: a sender without end must not fill the memory, nor the time.
+constexpr std::size_t kMostWrenches = 1000;
 
 /// Given to roscpp [s] to write the last diagnostics: a shutdown drops what is not written yet.
 constexpr double kTimeToWrite = 0.2;
 
+/// <body>/wrench and ~wrench are of different types.
+void checkNames(const Scene& scene) {
+  const std::string general_door = ros::names::resolve("~wrench");
+  for (const BodyDef& body : scene.bodies)
+    if (ros::names::resolve(body.name + "/wrench") == general_door)
+      throw SceneError(scene.source, body.line,
+                       "body '" + body.name + "': name must not be that of the node, else " +
+                           general_door + " would be two topics");
+}
+
 Simulation makeSimulation(const Scene& scene) {
+  checkNames(scene);
   World world = buildWorld(scene);
   State initial = initialState(scene, world);
   return Simulation(std::move(world), std::move(initial));
@@ -30,10 +43,14 @@ ros::NodeHandle onQueue(const std::string& name_space, ros::CallbackQueue& queue
   return nh;
 }
 
-TimeOrigin startOf(const NodeOptions& options) {
-  if (options.publish_clock) return {ros::Time()};
-  const ros::WallTime now = ros::WallTime::now();
-  return {ros::Time(now.sec, now.nsec)};
+OutputTopics rosTopics(const ros::NodeHandle& nh, const World& world, const NodeOptions& options) {
+  RosTransport transport(nh);
+  return openTopics(transport, world, options.publish_clock);
+}
+
+Topic<Input> inputsTopic(const ros::NodeHandle& nh) {
+  constexpr std::uint32_t kASecond = 10000;  // of inputs that wait for a listener
+  return RosTransport(nh, kASecond).open<Input>("~inputs", false);
 }
 
 std::vector<std::string> movingBodies(const World& world) {
@@ -51,16 +68,17 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       simulation_(makeSimulation(scene)),
       frames_(scene, simulation_.world().bodies),
       rules_{scene.world_frame, options.wrench_timeout},
-      origin_(startOf(options)),
-      pacer_(options.real_time_factor),
       paused_(options.start_paused),
       nh_(onQueue("", queue_)),
       private_nh_(onQueue("~", queue_)),
-      outputs_(nh_, private_nh_, options, scene, simulation_, origin_),
-      monitor_(nh_, private_nh_, scene.world_frame, origin_),
-      mouse_(private_nh_, scene, simulation_, origin_, options.wrench_timeout, refusals_),
+      time_(options, nh_, queue_),
+      outputs_(rosTopics(nh_, simulation_.world(), options), options, scene, simulation_,
+               time_.origin()),
+      inputs_(inputsTopic(nh_), scene.world_frame, simulation_, time_.origin()),
+      monitor_(nh_, private_nh_, scene.world_frame, time_.origin()),
+      mouse_(private_nh_, scene, simulation_, inputs_, options.wrench_timeout, refusals_),
       doors_(
-          nh_, private_nh_, movingBodies(simulation_.world()), origin_,
+          nh_, private_nh_, movingBodies(simulation_.world()), time_.origin(),
           [this](const WrenchRequest& request) { return take(request); },
           [this](const std::string& body, const std::string& slot) { return clear(body, slot); }),
       tf_static_(nh_.subscribe("/tf_static", kQueueSize, &StaticFrames::add, &static_frames_)),
@@ -84,19 +102,25 @@ void SimulationNode::run() {
 /// Serves callbacks until the next step is due; while paused, for a moment.
 void SimulationNode::serveUntilDue() {
   serve(0);
-  if (paused_) return serve(kLongestWait);
+  if (paused_) return serve(Timekeeper::kLongestWait);
   while (!paused_ && ros::ok()) {
     // anew each time: a callback may have set time back
-    const double t_next = simulation_.time() + simulation_.world().solver.time_step;
-    const double wait = pacer_.wait(t_next, Pacer::Clock::now());
+    const double wait = time_.untilDue(nextTime());
     if (wait <= 0) return;
-    serve(std::min(wait, kLongestWait));
+    serve(wait);
   }
 }
 
-/// Waits for a callback for that long at most, serves all there are, and reports when that is due.
+/// The time [s] that the next step reaches.
+double SimulationNode::nextTime() const {
+  return static_cast<double>(simulation_.steps() + 1) * simulation_.world().solver.time_step;
+}
+
+/// Waits for a callback for that long at most, serves all there are, starts over with a clock that
+/// does, and reports when that is due.
 void SimulationNode::serve(double seconds) {
   queue_.callAvailable(ros::WallDuration(seconds));
+  if (time_.takeSetBack()) startOver(true);
   const Monitor::Clock::time_point now = Monitor::Clock::now();
   mouse_.keepAlive(now);
   if (monitor_.isDue(now)) report();
@@ -105,7 +129,7 @@ void SimulationNode::serve(double seconds) {
 void SimulationNode::report() {
   track(monitor_.isHeard());
   RunFigures figures;
-  figures.overruns = pacer_.overruns();
+  figures.overruns = time_.overruns();
   figures.refused = refusals_.count();
   figures.paused = paused_;
   figures.divergence = divergence_;
@@ -123,13 +147,12 @@ void SimulationNode::track(bool heard) {
 
 /// Ties the wall to simulation time as it is now.
 void SimulationNode::restartClocks() {
-  pacer_.restart(simulation_.time(), Pacer::Clock::now());
+  time_.restart(simulation_.time());
   monitor_.restart(simulation_.time(), Monitor::Clock::now());
 }
 
 void SimulationNode::step() {
-  const double h = simulation_.world().solver.time_step;
-  pacer_.begin(simulation_.time() + h, h, Pacer::Clock::now());
+  time_.begin(nextTime(), simulation_.world().solver.time_step);
   try {
     advance();
   } catch (const SimulationDiverged&) {
@@ -154,33 +177,35 @@ void SimulationNode::advance() {
 
 /// Returns the fault of a request that is refused.
 std::string SimulationNode::take(const WrenchRequest& request) {
+  const std::string fault = tryToTake(request);
+  if (!fault.empty()) refusals_.add(fault);
+  return fault;
+}
+
+std::string SimulationNode::tryToTake(const WrenchRequest& request) {
   static_frames_.lookUp(request.wrench.frame, frames_);
   static_frames_.lookUp(request.wrench.point_frame, frames_);
-  ResolvedWrench resolved =
+  const ResolvedWrench resolved =
       takeWrench(request, simulation_.world().bodies, frames_, rules_, simulation_.time());
+  if (!resolved.fault.empty()) return resolved.fault;
+  if (simulation_.wrenchCount(resolved.wrench.body) >= kMostWrenches)
+    return "body '" + request.wrench.body + "' must have less than " +
+           std::to_string(kMostWrenches) + " wrenches that act or are to come";
   try {
-    if (resolved.fault.empty()) simulation_.applyWrench(request.slot, resolved.wrench);
+    inputs_.apply(wrenchInput(request.slot, resolved.wrench, simulation_.world()));
   } catch (const std::invalid_argument& error) {
-    resolved.fault = error.what();  // the scene's integrator does not accept it
+    return error.what();  // the scene's integrator does not accept it
   }
-  if (!resolved.fault.empty()) refusals_.add(resolved.fault);
-  return resolved.fault;
+  return "";
 }
 
 WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::string& slot) {
-  const std::vector<Body>& bodies = simulation_.world().bodies;
   const std::size_t before = simulation_.wrenchCount();
-  if (body.empty() && slot.empty()) simulation_.clearWrenches();
-  bool known = body.empty();
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (body.empty() ? slot.empty() : bodies[i].name != body) continue;
-    known = true;
-    if (slot.empty())
-      simulation_.clearWrenches(i);
-    else
-      simulation_.clearWrenches(i, slot);
+  try {
+    inputs_.apply(clearInput(body, slot));
+  } catch (const std::invalid_argument& error) {
+    return {error.what()};
   }
-  if (!known) return {"unknown body '" + body + "'"};
   if (slot.empty()) mouse_.letGo(body);
   return {"", before - simulation_.wrenchCount()};
 }
@@ -188,7 +213,7 @@ WrenchDoors::Cleared SimulationNode::clear(const std::string& body, const std::s
 bool SimulationNode::pause(std_srvs::SetBool::Request& request,
                            std_srvs::SetBool::Response& response) {
   if (paused_ && !request.data) {
-    pacer_.restart(simulation_.time(), Pacer::Clock::now());
+    time_.restart(simulation_.time());
     outputs_.publishDue();
   }
   paused_ = request.data;
@@ -198,52 +223,60 @@ bool SimulationNode::pause(std_srvs::SetBool::Request& request,
 }
 
 bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response) {
-  response.success = paused_;
+  const std::int64_t first = simulation_.steps();
   if (!paused_) response.message = "not paused: step moves a paused simulation only";
   try {
-    for (std::uint32_t i = 0; response.success && i < request.steps; ++i) {
-      advance();
-      response.success = ros::ok();
+    while (response.message.empty() && simulation_.steps() - first < request.steps) {
+      if (time_.isAhead(nextTime()))
+        response.message = "the next step would pass the clock that this node follows";
+      else
+        advance();
+      if (!ros::ok()) response.message = "shut down before the last step";
     }
-    if (response.success && request.steps > 0) outputs_.publishNow();
-    if (!ros::ok()) response.message = "shut down before the last step";
+    if (simulation_.steps() > first) outputs_.publishNow();
   } catch (const SimulationDiverged& error) {
     // paused: the last finite state waits for a reset
     ROS_FATAL("%s", error.what());
-    response.success = false;
     response.message = error.what();
   }
-  response.stamp = origin_.stamp(simulation_.time());
+  response.success = response.message.empty();
+  response.stamp = time_.origin().stamp(simulation_.time());
   return true;
 }
 
 bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  simulation_.reset(options_.reset_time);
-  mouse_.letGo("");
-  if (options_.reset_time) outputs_.restart();
-  outputs_.breakTrails();
-  divergence_.clear();
-  restartClocks();
+  startOver(options_.reset_time);
   response.success = true;
   response.message =
       options_.reset_time ? "initial states, time at the start" : "initial states, time runs on";
   return true;
 }
 
+void SimulationNode::startOver(bool restart_time) {
+  Input input;
+  input.kind = restart_time ? Input::RESTART : Input::RESET;
+  inputs_.apply(input);
+  mouse_.letGo("");
+  if (restart_time) outputs_.restart();
+  outputs_.breakTrails();
+  divergence_.clear();
+  restartClocks();
+}
+
 bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {
-  const RequestedState requested = takeState(request, simulation_.world(), rules_.world_frame);
-  if (requested.fault.empty()) {
-    simulation_.setState(requested.body, requested.state);
+  try {
+    inputs_.apply(setStateInput(request));
     outputs_.breakTrails();
+    response.success = true;
+  } catch (const std::invalid_argument& error) {
+    response.message = error.what();
   }
-  response.success = requested.fault.empty();
-  response.message = requested.fault;
   return true;
 }
 
 bool SimulationNode::getState(GetState::Request& request, GetState::Response& response) {
   response = tellState(request, simulation_.world(), simulation_.state(), rules_.world_frame);
-  response.stamp = origin_.stamp(simulation_.time());
+  response.stamp = time_.origin().stamp(simulation_.time());
   return true;
 }
 

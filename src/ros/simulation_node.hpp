@@ -13,13 +13,14 @@
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
 
+#include "inputs.hpp"
 #include "monitor.hpp"
 #include "mouse.hpp"
 #include "node_options.hpp"
 #include "outputs.hpp"
-#include "pacer.hpp"
 #include "refusals.hpp"
 #include "static_frames.hpp"
+#include "timekeeper.hpp"
 #include "wrench_doors.hpp"
 #include "wrench_intake.hpp"
 
@@ -38,12 +39,15 @@ class SimulationNode {
  private:
   void serveUntilDue();
   void serve(double seconds);
+  double nextTime() const;
   void step();
   void advance();
   void report();
   void track(bool heard);
   void restartClocks();
+  void startOver(bool restart_time);
   std::string take(const WrenchRequest& request);
+  std::string tryToTake(const WrenchRequest& request);
   WrenchDoors::Cleared clear(const std::string& body, const std::string& slot);
 
   bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
@@ -57,8 +61,6 @@ class SimulationNode {
   FrameTable frames_;
   StaticFrames static_frames_;
   IntakeRules rules_;
-  TimeOrigin origin_;
-  Pacer pacer_;
   Refusals refusals_;
   bool paused_;
   bool tracked_ = false;    // balance and errors
@@ -67,7 +69,9 @@ class SimulationNode {
   ros::CallbackQueue queue_;
   ros::NodeHandle nh_;
   ros::NodeHandle private_nh_;
+  Timekeeper time_;
   Outputs outputs_;
+  Inputs inputs_;
   Monitor monitor_;
   Mouse mouse_;
   WrenchDoors doors_;

@@ -1,21 +1,15 @@
 #include "state_requests.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "body_index.hpp"
 #include "conversions.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 constexpr double kNormTolerance = 1e-3;
-
-std::size_t indexOf(const std::string& name, const std::vector<Body>& bodies) {
-  const auto it =
-      std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
-  return static_cast<std::size_t>(it - bodies.begin());
-}
 
 /// Fault of the body, and of the axes of its twist.
 std::string namesFault(const std::string& body, const std::string& frame, const World& world,

@@ -1,31 +1,27 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 namespace rigid_body_sim {
 
-/// Events at a rate in simulation time, each at the first step that reaches it. A step that passes
-/// several has one event.
+/// Events at a rate in simulation time, counted from zero, each at the first step that reaches it.
+/// A step that passes several has one event. Whatever was asked before, the same steps have them.
 class Ticker {
  public:
-  /// rate [1/s] > 0
-  explicit Ticker(double rate) : rate_(rate) {}
+  /// rate [1/s] > 0, time_step [s] > 0
+  Ticker(double rate, double time_step) : rate_(rate), time_step_(time_step) {}
 
-  /// Whether an event falls on simulation time t [s]; asked once for each step.
-  bool due(double t) {
-    // a step that misses its instant by rounding has reached it
-    const double index = std::floor(t * rate_ + 1e-6);
-    if (index <= last_) return false;
-    last_ = index;
-    return true;
-  }
-
-  void restart() { last_ = -std::numeric_limits<double>::infinity(); }
+  /// Whether an event falls on the step that reaches simulation time t [s]; one falls on zero.
+  bool due(double t) const { return eventsUntil(t) > eventsUntil(t - time_step_); }
 
  private:
+  double eventsUntil(double t) const {
+    // a step that misses its instant by rounding has reached it
+    return std::floor(t * rate_ + 1e-6);
+  }
+
   double rate_;
-  double last_ = -std::numeric_limits<double>::infinity();
+  double time_step_;
 };
 
 }  // namespace rigid_body_sim

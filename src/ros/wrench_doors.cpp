@@ -22,7 +22,7 @@ template <class Service>
 using Answer = boost::function<bool(typename Service::Request&, typename Service::Response&)>;
 
 Answer<ApplyWrench> answering(const TimeOrigin& origin, const WrenchDoors::Sink& sink) {
-  return [origin, sink](ApplyWrench::Request& request, ApplyWrench::Response& response) {
+  return [&origin, sink](ApplyWrench::Request& request, ApplyWrench::Response& response) {
     response.message = sink(toRequest(request.wrench, origin));
     response.success = response.message.empty();
     return true;
@@ -50,7 +50,7 @@ WrenchDoors::WrenchDoors(ros::NodeHandle nh, ros::NodeHandle private_nh,
         [body, sink](const Everyday::ConstPtr& message) { sink(toRequest(body, *message)); }));
   }
   subscribers_.push_back(subscribe<AppliedWrench>(
-      private_nh, "wrench", [origin, sink](const AppliedWrench::ConstPtr& message) {
+      private_nh, "wrench", [&origin, sink](const AppliedWrench::ConstPtr& message) {
         sink(toRequest(*message, origin));
       }));
   services_.push_back(private_nh.advertiseService("apply_wrench", answering(origin, sink)));

@@ -4,8 +4,16 @@
 #include <limits>
 #include <sstream>
 
+#include <rigid_body_sim/scene/limits.hpp>
+
 namespace rigid_body_sim {
 namespace {
+
+/// The slot is kept with every wrench that acts or is to come.
+std::string slotFault(const WrenchRequest& request) {
+  if (request.slot.size() <= kMostTextBytes) return "";
+  return "id must be shorter than " + std::to_string(kMostTextBytes) + " bytes";
+}
 
 std::string durationFault(const WrenchRequest& request) {
   const double duration = request.wrench.duration;
@@ -41,7 +49,8 @@ ResolvedWrench takeWrench(const WrenchRequest& request, const std::vector<Body>&
         rules.wrench_timeout > 0 ? rules.wrench_timeout : std::numeric_limits<double>::infinity();
 
   ResolvedWrench resolved;
-  resolved.fault = durationFault(request);
+  resolved.fault = slotFault(request);
+  if (resolved.fault.empty()) resolved.fault = durationFault(request);
   if (resolved.fault.empty() && request.placed_by_frame)
     resolved.fault = placeFault(wrench, frames, rules);
   if (!resolved.fault.empty()) return resolved;

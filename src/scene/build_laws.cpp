@@ -1,11 +1,13 @@
 #include "build_laws.hpp"
 
-#include <algorithm>
+#include <set>
+#include <string>
 
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
 #include <rigid_body_sim/dynamics/spring.hpp>
 #include <rigid_body_sim/scene/scene_error.hpp>
 
+#include "body_names.hpp"
 #include "message_text.hpp"
 
 namespace rigid_body_sim {
@@ -15,7 +17,9 @@ namespace {
 class LawBuilder {
  public:
   LawBuilder(const Scene& scene, const std::vector<Body>& bodies)
-      : scene_(scene), bodies_(bodies), frames_(scene, bodies) {}
+      : scene_(scene), bodies_(bodies), frames_(scene, bodies) {
+    for (const Body& body : bodies) names_.insert(body.name);
+  }
 
   ForceLaws build() {
     for (const ForceDef& force : scene_.forces) {
@@ -48,11 +52,9 @@ class LawBuilder {
   /// An end on a body that never moves is a point of the world.
   Spring::End endOf(const SpringEndDef& def, const std::string& key) const {
     if (def.body.empty()) return {kWorld, def.point};
-    std::vector<std::string> names;
-    for (const Body& body : bodies_) names.push_back(body.name);
-    if (std::find(names.begin(), names.end(), def.body) == names.end())
-      fail(def.line,
-           key + ".body must be one of " + nameList(names) + ", got '" + printable(def.body) + "'");
+    if (names_.count(def.body) == 0)
+      fail(def.line, key + ".body must be one of " + namesOf(bodies_) + ", got '" +
+                         printable(def.body) + "'");
     const FixedFrame& frame = *frames_.find(def.body);
     return {frame.body, frame.X_PF * def.point};
   }
@@ -64,6 +66,7 @@ class LawBuilder {
   const Scene& scene_;
   const std::vector<Body>& bodies_;
   const FrameTable frames_;
+  std::set<std::string> names_;
   const ForceDef* force_ = nullptr;
   std::size_t index_ = 0;
   ForceLaws laws_;

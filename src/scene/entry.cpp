@@ -32,6 +32,13 @@ std::vector<Entry> Entry::items(const std::string& rule) const {
   return entries;
 }
 
+void Entry::checkCount(std::size_t most, const std::string& things) const {
+  const std::size_t count = node_->children.size();
+  if (count > most)
+    fail((key_.empty() ? "" : key_ + " ") + "must hold at most " + std::to_string(most) + " " +
+         things + ", got " + std::to_string(count));
+}
+
 void Entry::failRule(const std::string& rule) const {
   fail((key_.empty() ? "" : key_ + " ") + rule + ", got " + printable(*node_));
 }

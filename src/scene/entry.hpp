@@ -24,6 +24,9 @@ class Entry {
   /// The items of a list; refuses anything else. `rule` says what the list must be.
   std::vector<Entry> items(const std::string& rule) const;
 
+  /// Refuses a list or mapping of more than that many `things`.
+  void checkCount(std::size_t most, const std::string& things) const;
+
   const YamlNode& node() const { return *node_; }
   const std::string& key() const { return key_; }
   ReadContext& context() const { return *context_; }
@@ -73,9 +76,12 @@ void readMapping(const Entry& mapping, const std::vector<Key<Def>>& keys, Def& d
 bool readBoolean(const Entry& value);
 std::string readText(const Entry& value);
 
-/// A name of a body or point: [A-Za-z][A-Za-z0-9_]*
+/// A name of a body or point: [A-Za-z][A-Za-z0-9_]*, at most kMostNameBytes long
 std::string readName(const Entry& value);
 bool isName(const std::string& text);
+
+/// The same as a message says it.
+std::string nameRule();
 
 /// The nearest double; finite. `unit` is for the message; empty: a pure number.
 double readNumber(const Entry& value, const std::string& unit);

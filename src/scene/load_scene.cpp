@@ -3,7 +3,9 @@
 #include <utility>
 
 #include <rigid_body_sim/dynamics/catalogue.hpp>
+#include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/check_scene.hpp>
+#include <rigid_body_sim/scene/limits.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "read_file.hpp"
@@ -26,6 +28,7 @@ std::string readWorldFrame(const Entry& value) {
 
 std::vector<BodyDef> readBodies(const Entry& value) {
   const std::string rule = "must be a list of at least one body";
+  value.checkCount(kMostBodies, "bodies");
   std::vector<BodyDef> bodies;
   for (const Entry& item : value.items(rule)) bodies.push_back(readBody(item));
   if (bodies.empty()) value.failRule(rule);
@@ -33,12 +36,14 @@ std::vector<BodyDef> readBodies(const Entry& value) {
 }
 
 std::vector<ForceDef> readForces(const Entry& value) {
+  value.checkCount(kMostForces, "laws");
   std::vector<ForceDef> forces;
   for (const Entry& item : value.items("must be a list of laws")) forces.push_back(readForce(item));
   return forces;
 }
 
 std::vector<WrenchDef> readWrenches(const Entry& value) {
+  value.checkCount(Simulation::kMostWrenches, "wrenches");
   std::vector<WrenchDef> wrenches;
   for (const Entry& item : value.items("must be a list of wrenches"))
     wrenches.push_back(readWrench(item));
@@ -100,7 +105,8 @@ Scene parseScene(const std::string& yaml_text, const std::string& source_name,
 
 Scene loadScene(const std::string& path, const PackageFinder& find_package) {
   const std::filesystem::path directory = std::filesystem::path(path).parent_path();
-  return readScene(readFile(path, "scene file"), {path, directory, find_package, {}, {}});
+  return readScene(readFile(path, "scene file", kMostSceneBytes),
+                   {path, directory, find_package, {}, {}});
 }
 
 }  // namespace rigid_body_sim

@@ -1,3 +1,5 @@
+#include <rigid_body_sim/scene/limits.hpp>
+
 #include "file_reference.hpp"
 #include "readers.hpp"
 
@@ -30,8 +32,7 @@ PointDef readPoint(const Entry& entry) {
   PointDef point;
   point.name = entry.node().key;
   point.line = entry.node().line;
-  if (!isName(point.name))
-    entry.fail("points: '" + printable(point.name) + "' must be a name [A-Za-z][A-Za-z0-9_]*");
+  if (!isName(point.name)) entry.fail("points: '" + printable(point.name) + "' " + nameRule());
   readMapping(entry, keys, point);
   return point;
 }
@@ -39,6 +40,7 @@ PointDef readPoint(const Entry& entry) {
 std::vector<PointDef> readPoints(const Entry& entry) {
   if (entry.node().kind != YamlNode::Kind::kMapping)
     entry.failRule("must be a mapping of names to frames");
+  entry.checkCount(kMostPoints, "points");
   std::vector<PointDef> points;
   for (const YamlNode& node : entry.node().children) points.push_back(readPoint(entry.child(node)));
   return points;

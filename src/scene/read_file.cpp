@@ -11,8 +11,7 @@
 
 namespace rigid_body_sim {
 
-std::string readFile(const std::string& path, const std::string& kind) {
-  constexpr std::size_t kMaxBytes = 16 << 20;
+std::string readFile(const std::string& path, const std::string& kind, std::size_t most_bytes) {
   std::error_code no_matter;  // what cannot be looked at cannot be opened either
   if (std::filesystem::is_directory(path, no_matter))
     throw SceneError(path, 0, "is a directory, not a " + kind);
@@ -21,12 +20,13 @@ std::string readFile(const std::string& path, const std::string& kind) {
   if (!file) throw SceneError(path, 0, std::string("cannot be opened: ") + std::strerror(errno));
   std::string text;
   std::array<char, 1 << 16> block;
-  while (text.size() <= kMaxBytes && file) {
+  while (text.size() <= most_bytes && file) {
     file.read(block.data(), block.size());
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   }
   if (file.bad()) throw SceneError(path, 0, std::string("cannot be read: ") + std::strerror(errno));
-  if (text.size() > kMaxBytes) throw SceneError(path, 0, "is larger than 16 MiB");
+  if (text.size() > most_bytes)
+    throw SceneError(path, 0, "is larger than " + std::to_string(most_bytes >> 20) + " MiB");
   return text;
 }
 

@@ -5,22 +5,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include <assimp/Importer.hpp>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
+#include <rigid_body_sim/scene/limits.hpp>
 #include <rigid_body_sim/scene/read_mesh.hpp>
 
-#include "stl_fault.hpp"
+#include "read_dae.hpp"
+#include "read_file.hpp"
+#include "read_obj.hpp"
+#include "read_stl.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-[[noreturn]] void fail(const std::string& path, std::string reason) {
-  std::replace(reason.begin(), reason.end(), '\n', ' ');
-  throw std::runtime_error(path + ": " + reason);
-}
 
 std::string extensionOf(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -28,74 +22,59 @@ std::string extensionOf(const std::string& path) {
   return extension;
 }
 
-/// What can be told before the reader opens the file.
-void checkFile(const std::string& path) {
+/// What can be told before the file is opened.
+std::string fileFault(const std::string& path, const std::string& extension) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) fail(path, "mesh file does not exist");
-  if (!std::filesystem::is_regular_file(status)) fail(path, "mesh file must be a regular file");
-  const std::string extension = extensionOf(path);
+  if (!std::filesystem::exists(status)) return "mesh file does not exist";
+  if (!std::filesystem::is_regular_file(status)) return "mesh file must be a regular file";
   if (extension != ".stl" && extension != ".obj" && extension != ".dae")
-    fail(path, "mesh file must end in .stl, .obj or .dae, got '" + extension + "'");
-  const std::string fault = extension == ".stl" ? stlFault(path) : "";
-  if (!fault.empty()) fail(path, fault);
+    return "mesh file must end in .stl, .obj or .dae, got '" + extension + "'";
+  return "";
 }
 
-Eigen::Affine3d toAffine(const aiMatrix4x4& m) {
-  Eigen::Affine3d X = Eigen::Affine3d::Identity();
-  X.linear() << m.a1, m.a2, m.a3, m.b1, m.b2, m.b3, m.c1, m.c2, m.c3;
-  X.translation() << m.a4, m.b4, m.c4;
-  return X;
+TriangleMesh meshIn(std::string bytes, const std::string& extension) {
+  if (extension == ".stl") return readStl(bytes);
+  if (extension == ".obj") return readObj(std::move(bytes));
+  return readDae(bytes);
 }
 
-/// A vertex as the file has it; one that is not finite is told before a transform spreads it.
-Vector3d finite(const aiVector3D& v, const std::string& path) {
-  Vector3d vertex(v.x, v.y, v.z);
-  if (vertex.allFinite()) return vertex;
-  std::ostringstream reason;
-  reason << "mesh vertices must be finite, got [" << vertex.transpose() << "]";
-  fail(path, reason.str());
+std::string meshFault(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) return "mesh must have at least one triangle, got 0";
+  const auto bad = std::find_if(mesh.vertices.begin(), mesh.vertices.end(),
+                                [](const Vector3d& v) { return !v.allFinite(); });
+  if (bad == mesh.vertices.end()) return "";
+  std::ostringstream fault;
+  fault << "mesh vertices must be finite, got [" << bad->transpose() << "]";
+  return fault.str();
 }
 
-/// Appends the triangles of a mesh of the file at path, placed by X; where X mirrors, each is
-/// turned round, for it would come out facing inwards.
-void append(const aiMesh& part, const Eigen::Affine3d& X, const std::string& path,
-            TriangleMesh& mesh) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  const bool mirrored = X.linear().determinant() < 0;
-  for (unsigned i = 0; i < part.mNumVertices; ++i)
-    mesh.vertices.push_back(X * finite(part.mVertices[i], path));
-  for (unsigned i = 0; i < part.mNumFaces; ++i) {
-    const aiFace& face = part.mFaces[i];
-    if (face.mNumIndices != 3) continue;
-    Triangle t{first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]};
-    if (mirrored) std::swap(t[1], t[2]);
-    mesh.triangles.push_back(t);
-  }
-}
-
-/// Appends the meshes of a node and all nodes below it, each placed by its own transform.
-void append(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& X_parent,
-            const std::string& path, TriangleMesh& mesh) {
-  const Eigen::Affine3d X = X_parent * toAffine(node.mTransformation);
-  for (unsigned i = 0; i < node.mNumMeshes; ++i)
-    append(*scene.mMeshes[node.mMeshes[i]], X, path, mesh);
-  for (unsigned i = 0; i < node.mNumChildren; ++i) append(scene, *node.mChildren[i], X, path, mesh);
+/// Every length multiplied by scale; where that mirrors, triangles are turned round, for they would
+/// come out facing inwards.
+void applyScale(double scale, TriangleMesh& mesh) {
+  for (Vector3d& v : mesh.vertices) v *= scale;
+  if (scale > 0) return;
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
 }
 
 }  // namespace
 
 TriangleMesh readMesh(const std::string& path, double scale) {
-  checkFile(path);
-  Assimp::Importer importer;
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
-  if (!scene || !scene->mRootNode)
-    fail(path, std::string("mesh file cannot be read: ") + importer.GetErrorString());
-
+  const std::string extension = extensionOf(path);
+  std::string fault = fileFault(path, extension);
   TriangleMesh mesh;
-  append(*scene, *scene->mRootNode, Eigen::Affine3d(Eigen::Scaling(scale)), path, mesh);
-  if (mesh.triangles.empty()) fail(path, "mesh must have at least one triangle, got 0");
+  if (fault.empty()) {
+    std::string bytes =
+        readFile(path, "mesh file", extension == ".dae" ? kMostDaeBytes : kMostMeshBytes);
+    try {
+      mesh = meshIn(std::move(bytes), extension);
+      fault = meshFault(mesh);
+    } catch (const std::runtime_error& e) {
+      fault = e.what();
+    }
+  }
+  if (!fault.empty()) throw std::runtime_error(path + ": " + fault);
+  applyScale(scale, mesh);
   return mesh;
 }
 

@@ -4,12 +4,14 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <rigid_body_sim/scene/limits.hpp>
 #include <rigid_body_sim/scene/read_urdf.hpp>
 
 #include "file_reference.hpp"
 #include "isometry.hpp"
 #include "message_text.hpp"
 #include "read_file.hpp"
+#include "xml_fault.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -85,14 +87,16 @@ Visual toVisual(const urdf::Visual& visual, const std::filesystem::path& directo
 }  // namespace
 
 std::vector<UrdfLink> readUrdf(const std::string& path) {
-  const std::string xml = readFile(path, "URDF file");
+  const std::string xml = readFile(path, "URDF file", kMostUrdfBytes);
   const ParserMessages messages;
   urdf::ModelInterfaceSharedPtr model;
-  std::string reason;
+  std::string reason = xmlFault(xml);
   try {
-    model = urdf::parseURDF(xml);
-    reason = messages.firstError();
-    if (!model && reason.empty()) reason = "not the XML of a robot";
+    if (reason.empty()) {
+      model = urdf::parseURDF(xml);
+      reason = messages.firstError();
+      if (!model && reason.empty()) reason = "not the XML of a robot";
+    }
   } catch (const std::exception& e) {
     reason = e.what();
   }

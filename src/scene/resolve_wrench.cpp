@@ -4,6 +4,7 @@
 
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
 
+#include "body_names.hpp"
 #include "message_text.hpp"
 
 namespace rigid_body_sim {
@@ -28,16 +29,15 @@ std::string timeFault(const WrenchDef& wrench) {
   return fault.str();
 }
 
-std::string bodyFault(const std::string& name, const std::vector<Body>& bodies) {
+std::string bodyFault(const std::string& name, const std::vector<Body>& bodies,
+                      const FrameTable& frames) {
+  const FixedFrame* frame = frames.find(name);
+  if (frame && frame->body != kWorld && bodies[frame->body].name == name) return "";
   const auto body =
       std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
-  if (body == bodies.end()) {
-    std::vector<std::string> names;
-    names.reserve(bodies.size());
-    for (const Body& known : bodies) names.push_back(known.name);
-    return "unknown body '" + printable(name) + "' (known: " + nameList(names) + ")";
-  }
-  return body->fixed ? "body '" + name + "' is fixed, no wrench can move it" : "";
+  if (body == bodies.end())
+    return "unknown body '" + printable(name) + "' (known: " + namesOf(bodies) + ")";
+  return "body '" + name + "' is fixed, no wrench can move it";
 }
 
 std::string frameFault(const char* key, const std::string& name, const FrameTable& frames) {
@@ -61,7 +61,7 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
   const std::string& point_frame = wrench.point_frame.empty() ? wrench.body : wrench.point_frame;
   ResolvedWrench resolved;
   resolved.fault =
-      firstOf({bodyFault(wrench.body, bodies), frameFault("frame", wrench.frame, frames),
+      firstOf({bodyFault(wrench.body, bodies, frames), frameFault("frame", wrench.frame, frames),
                frameFault("point_frame", point_frame, frames), vectorFault("point", wrench.point),
                vectorFault("force", wrench.force), vectorFault("torque", wrench.torque),
                timeFault(wrench)});

@@ -4,6 +4,8 @@
 #include <optional>
 #include <sstream>
 
+#include <rigid_body_sim/scene/limits.hpp>
+
 #include "entry.hpp"
 
 namespace rigid_body_sim {
@@ -76,16 +78,21 @@ std::string readText(const Entry& value) {
 }
 
 bool isName(const std::string& text) {
-  if (text.empty() || !isLetter(text[0])) return false;
+  if (text.empty() || text.size() > kMostNameBytes || !isLetter(text[0])) return false;
   for (const char c : text) {
     if (!isLetter(c) && !isDigit(c) && c != '_') return false;
   }
   return true;
 }
 
+std::string nameRule() {
+  return "must be a name [A-Za-z][A-Za-z0-9_]* of at most " + std::to_string(kMostNameBytes) +
+         " bytes";
+}
+
 std::string readName(const Entry& value) {
   if (value.node().kind != YamlNode::Kind::kScalar || !isName(value.node().text))
-    value.failRule("must be a name [A-Za-z][A-Za-z0-9_]*");
+    value.failRule(nameRule());
   return value.node().text;
 }
 

@@ -8,6 +8,7 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include <rigid_body_sim/scene/limits.hpp>
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 namespace rigid_body_sim {
@@ -33,6 +34,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
+    checkLength(mark, value);
     if (expectsKey()) {
       refuseDecorations(mark, tag, anchor);
       return takeKey(mark, value);
@@ -84,6 +86,12 @@ class TreeBuilder final : public YAML::EventHandler {
       fail(mark, "YAML tags are not allowed in a scene, got " + printable(tag));
   }
 
+  void checkLength(const YAML::Mark& mark, const std::string& text) const {
+    if (text.size() > kMostTextBytes)
+      fail(mark, "a text must have at most " + std::to_string(kMostTextBytes) + " bytes, got " +
+                     std::to_string(text.size()));
+  }
+
   void takeKey(const YAML::Mark& mark, const std::string& key) {
     Open& mapping = open_.back();
     if (!mapping.keys.insert(key).second) fail(mark, "key '" + printable(key) + "' is repeated");
@@ -114,8 +122,8 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   void open(YamlNode& node, const YAML::Mark& mark) {
-    constexpr std::size_t kMaxDepth = 32;
-    if (open_.size() >= kMaxDepth) fail(mark, "nested deeper than 32 levels");
+    if (open_.size() >= kMostDepth)
+      fail(mark, "nested deeper than " + std::to_string(kMostDepth) + " levels");
     open_.push_back({&node, false, "", 0, {}});
   }
 
@@ -124,6 +132,19 @@ class TreeBuilder final : public YAML::EventHandler {
   std::vector<Open> open_;
   int documents_ = 0;
 };
+
+/// What has to be refused before yaml-cpp sees it: it keeps every bracket that is not closed yet as
+/// the possible start of a key, 240 bytes each.
+void checkSize(const std::string& yaml_text, const std::string& source) {
+  if (yaml_text.size() > kMostSceneBytes)
+    throw SceneError(source, 0, "is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
+  const auto brackets = static_cast<std::size_t>(std::count_if(
+      yaml_text.begin(), yaml_text.end(), [](char c) { return c == '[' || c == '{'; }));
+  if (brackets > kMostBrackets)
+    throw SceneError(source, 0,
+                     "must hold at most " + std::to_string(kMostBrackets) +
+                         " brackets [ and {, got " + std::to_string(brackets));
+}
 
 }  // namespace
 
@@ -134,6 +155,7 @@ const YamlNode* YamlNode::find(const std::string& name) const {
 }
 
 YamlNode parseYaml(const std::string& yaml_text, const std::string& source_name) {
+  checkSize(yaml_text, source_name);
   TreeBuilder builder(source_name);
   std::istringstream stream(yaml_text);
   try {

@@ -23,7 +23,7 @@ struct YamlNode {
 };
 
 /// Throws SceneError for text that is not one YAML document, and for what a scene has no use for:
-/// repeated keys, keys that are not scalars, anchors, aliases, tags, nesting beyond 32 levels.
+/// repeated keys, keys that are not scalars, anchors, aliases, tags, more than limits.hpp allows.
 YamlNode parseYaml(const std::string& yaml_text, const std::string& source_name);
 
 /// The value as a message shows it: on one line, flow style, shortened to about 60 characters.

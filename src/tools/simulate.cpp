@@ -6,7 +6,10 @@
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
+#include "bag_inputs.hpp"
+#include "bag_output.hpp"
 #include "csv_writer.hpp"
+#include "input_replay.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "simulate_options.hpp"
@@ -17,6 +20,8 @@
 namespace rigid_body_sim {
 namespace {
 
+constexpr double kBagSample = 0.01;  // [s] as the node publishes by default
+
 Scene sceneOf(const SimulateOptions& options) {
   Scene scene = loadToolScene(options.scene, "simulate");
   scene.time_step = options.time_step.value_or(scene.time_step);
@@ -26,15 +31,44 @@ Scene sceneOf(const SimulateOptions& options) {
   return scene;
 }
 
+std::unique_ptr<InputReplay> replayOf(const std::string& path, const Scene& scene,
+                                      const World& world) {
+  const BagInputs recorded = readBagInputs(path, scene, world);
+  if (!recorded.notice.empty()) printNotice("simulate", path + ": " + recorded.notice);
+  return std::make_unique<InputReplay>(recorded.inputs, scene.world_frame);
+}
+
+/// Where a run goes beside the CSV, and what comes in.
+struct Bags {
+  std::unique_ptr<BagOutput> output;
+  std::unique_ptr<InputReplay> replay;
+};
+
+/// As the node: what has come in is taken over before a step, the state is told after it.
+StepHooks hooksOf(const Bags& bags, Simulation& simulation) {
+  StepHooks hooks;
+  if (bags.replay)
+    hooks.before = [&] {
+      const bool moved = bags.replay->applyDue(simulation);
+      if (moved && bags.output) bags.output->breakTrails();
+    };
+  if (bags.output) hooks.after = [&] { bags.output->writeDue(); };
+  return hooks;
+}
+
 /// Runs to the end, a row at every sample and at the end. Returns the last state.
-State simulate(Simulation& simulation, double duration, double sample, CsvWriter* csv) {
+State simulate(Simulation& simulation, double duration, double sample, const StepHooks& hooks,
+               CsvWriter* csv) {
   const World& world = simulation.world();
   const auto samples = static_cast<std::int64_t>(std::ceil(duration / sample - 1e-6));
   ProgressBar bar;
+  // what came in before the first step changes the state that it begins with
+  if (hooks.before) hooks.before();
+  if (hooks.after) hooks.after();
   State state = simulation.state();
   if (csv) csv->write(world, state);
   for (std::int64_t k = 1; k <= samples; ++k) {
-    state = stateAt(simulation, k == samples ? duration : static_cast<double>(k) * sample);
+    state = stateAt(simulation, k == samples ? duration : static_cast<double>(k) * sample, hooks);
     if (csv) csv->write(world, state);
     bar.show(static_cast<double>(k) / static_cast<double>(samples));
   }
@@ -48,15 +82,21 @@ void run(const SimulateOptions& options) {
   Simulation simulation(world, first);
   std::unique_ptr<CsvWriter> csv;
   if (options.csv) csv = std::make_unique<CsvWriter>(*options.csv);
+  Bags bags;
+  if (options.wrench_bag) bags.replay = replayOf(*options.wrench_bag, scene, world);
+  if (options.bag)
+    bags.output = std::make_unique<BagOutput>(*options.bag, 1 / options.sample.value_or(kBagSample),
+                                              scene, simulation);
   for (const std::string& line : describeSolution(simulation))
     std::fprintf(stderr, "%s\n", line.c_str());
 
   const double duration = options.duration.value_or(world.solver.horizon);
   const auto begin = std::chrono::steady_clock::now();
-  const State last =
-      simulate(simulation, duration, options.sample.value_or(scene.time_step), csv.get());
+  const State last = simulate(simulation, duration, options.sample.value_or(scene.time_step),
+                              hooksOf(bags, simulation), csv.get());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   if (csv) csv->finish();
+  if (bags.output) bags.output->finish();
   const std::string parts = describeParts(simulation);
   if (!parts.empty()) printNotice("simulate", parts);
 

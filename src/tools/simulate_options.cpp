@@ -12,7 +12,9 @@ SimulateOptions parseSimulateOptions(int argc, char** argv) {
       {"time-step", [&](const char* s) { options.time_step = positiveNumber("time-step", s); }},
       {"tolerance", [&](const char* s) { options.tolerance = positiveNumber("tolerance", s); }},
       {"integrator", [&](const char* s) { options.integrator = s; }},
-      {"csv", [&](const char* s) { options.csv = s; }}};
+      {"csv", [&](const char* s) { options.csv = s; }},
+      {"bag", [&](const char* s) { options.bag = s; }},
+      {"wrench-bag", [&](const char* s) { options.wrench_bag = s; }}};
   const auto scene = readCommandLine(argc, argv, actions, "scene file");
   options.help = !scene;
   options.scene = scene.value_or("");
@@ -25,11 +27,16 @@ Integrates a scene offline, as fast as it can, and says where the bodies went an
 and momentum were kept.
 
   --duration S       simulated time [s]; default: the scene's horizon
-  --sample S         time between rows of the CSV [s]; default: the time step
+  --sample S         time between rows of the CSV and states of the bag [s]; default: the time
+                     step in the CSV, 0.01 in the bag
   --integrator NAME  in place of the scene's
   --time-step S      in place of the scene's [s]
   --tolerance X      in place of the scene's, for integrator auto
   --csv FILE|-       a row for each body and sample; - is the standard output
+  --bag FILE         the topics that the node publishes, with the stamps of a clock from zero
+  --wrench-bag FILE  repeats the run of a node, to the last bit, by the inputs that a bag has
+                     recorded of its topic inputs; without that topic, the wrench messages of the
+                     bag at the times of the bag
   --help             this text
 
 CSV columns: time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz: position of the body frame's origin

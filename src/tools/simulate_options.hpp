@@ -14,6 +14,8 @@ struct SimulateOptions {
   std::optional<double> tolerance;        ///< > 0
   std::optional<std::string> integrator;  ///< a name of the catalogue
   std::optional<std::string> csv;         ///< file; "-": standard output
+  std::optional<std::string> bag;         ///< file
+  std::optional<std::string> wrench_bag;  ///< file
   bool help = false;
 };
 

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <functional>
+
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
 namespace rigid_body_sim {
 
+/// What is to be done at every step of a run.
+struct StepHooks {
+  std::function<void()> before;  ///< also before a state within a step; may come twice for one step
+  std::function<void()> after;
+};
+
 /// The state at time t, to which the simulation is stepped as far as whole steps go. An instant
 /// that a step misses by rounding is that step's.
-State stateAt(Simulation& simulation, double t);
+State stateAt(Simulation& simulation, double t, const StepHooks& hooks = {});
 
 }  // namespace rigid_body_sim

@@ -1,10 +1,8 @@
-#include "benchmark/peers_odeint.hpp"
-
 #include <cmath>
-#include <sstream>
 
 #include <boost/numeric/odeint.hpp>
 
+#include "benchmark/peers.hpp"
 #include "tools/cpu_time.hpp"
 
 // What a user of odeint would write in an afternoon: position, velocity, quaternion, angular
@@ -46,7 +44,7 @@ struct RightHandSide {
 
 template <class Integrate>
 Run timed(const Problem& problem, const std::string& setting, const Integrate& integrate) {
-  constexpr double kBudget = 0.03;  // [s]
+  constexpr double kBudget = 0.01;  // [s]
   State start{};
   start[9] = 1;
   std::copy(problem.w.begin(), problem.w.end(), start.begin() + 10);
@@ -61,12 +59,6 @@ Run timed(const Problem& problem, const std::string& setting, const Integrate& i
       },
       kBudget);
   return run;
-}
-
-std::string label(const char* method, const char* what, double value) {
-  std::ostringstream text;
-  text << method << ' ' << what << ' ' << value;
-  return text.str();
 }
 
 template <class Stepper>
@@ -92,8 +84,7 @@ void addControlled(const char* name, const Problem& problem, const MakeStepper& 
     }));
 }
 
-}  // namespace
-
+/// Rk4, dopri5, rkf78 in fixed and controlled steps and Bulirsch–Stoer, each over a ladder.
 std::vector<Run> odeintRuns(const Problem& problem) {
   using Rk4 = odeint::runge_kutta4<State>;
   using Dopri5 = odeint::runge_kutta_dopri5<State>;
@@ -112,4 +103,7 @@ std::vector<Run> odeintRuns(const Problem& problem) {
   return runs;
 }
 
+const Registration kOdeint({"odeint", odeintRuns});
+
+}  // namespace
 }  // namespace rigid_body_sim::peers

@@ -1,3 +1,5 @@
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "support/free_rotation_errors.hpp"
@@ -21,14 +23,17 @@ TEST_P(FreeRotationOf, MatchesTheReferenceOverTenRadians) {
 }
 
 TEST_P(FreeRotationOf, StaysWithinTheConditionOverAHundredRadians) {
+  // 10 005 bodies take minutes: RIGID_BODY_SIM_LONG_TESTS=1
+  const int bodies = std::getenv("RIGID_BODY_SIM_LONG_TESTS") ? 667 : 10;
   Random random(2);
   double worst = 0;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < bodies; ++i) {
     const SpinningBody body = randomSpinningBody(GetParam().first, random);
     const double t = randomSign(random) * 100 / body.spin();
     worst = std::max(worst, attitudeError(body, t) / condition(body, t));
   }
-  // 1e-13 is asked for; measured: 2e-16
+  // 1e-13 is asked for; measured over 10 005 bodies: see below
+  RecordProperty("worst", std::to_string(worst * 1e16) + "e-16");
   EXPECT_LE(worst, 1e-15);
 }
 

@@ -176,6 +176,22 @@ TEST(Simulation, MovesBodiesFarFromTheOrigin) {
   }
 }
 
+TEST(Simulation, RefusesOneWrenchMoreThanMayBeToCome) {
+  Bench bench = restingBox();
+  bench.world.wrenches.assign(Simulation::kMostWrenches, worldForce({1, 0, 0}, 10, 11));
+  Simulation sim = bench.simulation("auto", 0.1);
+  const auto apply = [&sim] { sim.applyWrench("", worldForce({1, 0, 0}, 0, 1)); };
+  try {
+    apply();
+    FAIL() << "taken";
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_STREQ(refused.what(), "at most 100000 wrenches may act or be to come");
+  }
+  EXPECT_EQ(sim.wrenchCount(), Simulation::kMostWrenches);
+  sim.clearWrenches();
+  EXPECT_NO_THROW(apply());
+}
+
 TEST(Simulation, RefusesAnUnknownIntegratorAndListsTheKnown) {
   try {
     restingBox().simulation("euler", 0.01);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Log.h>
 
+#include <rigid_body_sim/SimStatus.h>
+
 #include "doors.hpp"
 
 namespace rigid_body_sim {
@@ -93,7 +95,16 @@ TEST_F(Doors, GeneralDoorReplacesTheSameIdAndAddsWithoutOne) {
   stepBoth(50);
 }
 
-TEST_F(Doors, RefuseWhatBreaksARuleAndChangeNothing) {
+TEST_F(Doors, RefuseWhatBreaksARuleCountItAndChangeNothing) {
+  SimStatus status;
+  const boost::function<void(const SimStatus&)> hear_status = [&](const SimStatus& message) {
+    status = message;
+  };
+  const ros::Subscriber counts = nh.subscribe<SimStatus>("rigid_body_node/status", 10, hear_status);
+  ros::Publisher everyday = nh.advertise<geometry_msgs::WrenchStamped>("box/wrench", 100);
+  ASSERT_TRUE(NodeDriver::waitFor(
+      [&] { return everyday.getNumSubscribers() > 0 && !status.header.frame_id.empty(); }));
+  const std::uint64_t refused_before = status.refused;
   std::vector<std::string> warnings;
   const boost::function<void(const rosgraph_msgs::Log&)> hear = [&](const rosgraph_msgs::Log& log) {
     if (log.msg.find("wrench refused") != std::string::npos) warnings.push_back(log.msg);
@@ -118,6 +129,13 @@ TEST_F(Doors, RefuseWhatBreaksARuleAndChangeNothing) {
   bad[6].duration = ros::Duration(-1);
   bad[7].id = "";  // and no duration
   for (const AppliedWrench& message : bad) general.publish(message);
+  for (const char* frame : {"", "nowhere", "canary", "post"})
+    everyday.publish(everydayMessage(frame));
+  geometry_msgs::WrenchStamped not_finite = everydayMessage("box");
+  not_finite.wrench.torque.x = std::numeric_limits<double>::quiet_NaN();
+  everyday.publish(not_finite);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return status.refused == refused_before + 13; }))
+      << status.refused - refused_before;
   sendCanary();
   stepUntil("canary", [this](ReferenceRun& run) { pushCanary(run); });
   stepBoth(100);

@@ -87,7 +87,8 @@ bodies:
   World world = buildWorld(scene);
   State initial = initialState(scene, world);
   Simulation simulation{world, initial};
-  MouseHolds holds{simulation, origin, kTimeout};
+  Inputs inputs{{[] { return false; }, {}}, "world", simulation, origin};
+  MouseHolds holds{simulation, inputs, kTimeout};
 };
 
 }  // namespace

@@ -75,10 +75,11 @@ TEST(NodeOptions, NeedExactlyOneScene) {
 }
 
 TEST(NodeOptions, RefuseAnUnknownName) {
-  EXPECT_EQ(refusalOf("publish_rat", 10),
-            "parameter ~publish_rat: unknown, got '10'; known: clock_rate, publish_clock, "
-            "publish_rate, real_time_factor, reset_time, scene, scene_file, start_paused, "
-            "wrench_timeout");
+  EXPECT_EQ(
+      refusalOf("publish_rat", 10),
+      "parameter ~publish_rat: unknown, got '10'; known: clock_rate, publish_clock, "
+      "publish_rate, real_time_factor, reset_time, scene, scene_file, start_paused, start_time, "
+      "wrench_timeout");
 }
 
 TEST(NodeOptions, RefuseAWrongType) {
@@ -101,13 +102,49 @@ TEST(NodeOptions, RefuseAValueOutsideItsRule) {
   EXPECT_NE(refusalOf("real_time_factor", std::numeric_limits<double>::infinity()), "accepted");
 }
 
-TEST(NodeOptions, RefuseTwoClocks) {
+struct ClockCase {
+  bool publish_clock, use_sim_time;
+  void (*set)(NodeOptions&);
+  const char* refusal;  // empty: accepted
+};
+
+class Clocks : public ::testing::TestWithParam<ClockCase> {};
+
+TEST_P(Clocks, GoTogetherOrAreRefused) {
   NodeOptions options;
-  EXPECT_NO_THROW(checkClockOptions(options, false));
-  EXPECT_THROW(checkClockOptions(options, true), ParameterError);
-  options.publish_clock = true;
-  EXPECT_NO_THROW(checkClockOptions(options, true));
-  EXPECT_THROW(checkClockOptions(options, false), ParameterError);
+  options.publish_clock = GetParam().publish_clock;
+  GetParam().set(options);
+  std::string refusal;
+  try {
+    settleClock(options, GetParam().use_sim_time);
+    EXPECT_EQ(options.follow_clock, GetParam().use_sim_time && !GetParam().publish_clock);
+  } catch (const ParameterError& error) {
+    refusal = error.what();
+  }
+  if (*GetParam().refusal == '\0')
+    EXPECT_EQ(refusal, "");
+  else
+    EXPECT_NE(refusal.find(GetParam().refusal), std::string::npos) << refusal;
 }
+
+void nothing(NodeOptions&) {}
+void resetTime(NodeOptions& options) { options.reset_time = true; }
+void twiceAsFast(NodeOptions& options) { options.real_time_factor = 2; }
+void startTime(NodeOptions& options) { options.start_time = 0; }
+
+INSTANTIATE_TEST_SUITE_P(
+    NodeOptions, Clocks,
+    ::testing::Values(
+        ClockCase{false, false, nothing, ""}, ClockCase{false, true, nothing, ""},
+        ClockCase{true, true, nothing, ""},
+        ClockCase{true, false, nothing, "~publish_clock: must be false unless /use_sim_time is"},
+        ClockCase{false, false, resetTime, "~reset_time: must be false unless ~publish_clock"},
+        ClockCase{false, true, resetTime, "~reset_time: must be false unless ~publish_clock"},
+        ClockCase{true, true, resetTime, ""}, ClockCase{false, false, twiceAsFast, ""},
+        ClockCase{false, true, twiceAsFast, "~real_time_factor: must be 1 where ~publish_clock"},
+        ClockCase{true, true, twiceAsFast, ""},
+        ClockCase{false, false, startTime, "~start_time: must be absent unless /use_sim_time"},
+        ClockCase{false, true, startTime, ""},
+        ClockCase{true, true, startTime, "~start_time: must be absent unless /use_sim_time"}));
 
 }  // namespace rigid_body_sim

@@ -57,7 +57,7 @@ TEST(Pacer, CountsNoOverrunForAStepInTime) {
 }
 
 TEST(Ticker, FallsOnEveryTenthStepOfAThousandthAtAHundredHertz) {
-  Ticker ticker(100);
+  const Ticker ticker(100, 0.001);
   std::vector<int> ticks;
   for (int n = 0; n <= 1000; ++n) {
     if (ticker.due(n * 0.001)) ticks.push_back(n);
@@ -66,13 +66,21 @@ TEST(Ticker, FallsOnEveryTenthStepOfAThousandthAtAHundredHertz) {
   for (std::size_t k = 0; k < ticks.size(); ++k) EXPECT_EQ(ticks[k], 10 * static_cast<int>(k));
 }
 
+TEST(Ticker, FallsOnTheSameStepsWhicheverWereAsked) {
+  const Ticker ticker(100, 0.001);
+  EXPECT_FALSE(ticker.due(0.001));
+  EXPECT_FALSE(ticker.due(0.009));
+  EXPECT_TRUE(ticker.due(0.010));
+  EXPECT_TRUE(ticker.due(0));
+}
+
 TEST(Ticker, FallsOnEveryStepThatIsLongerThanItsPeriod) {
-  Ticker ticker(100);
+  const Ticker ticker(100, 0.05);
   for (int n = 0; n < 10; ++n) EXPECT_TRUE(ticker.due(n * 0.05));
 }
 
 TEST(Ticker, FallsOnTheFirstStepThatReachesItsInstant) {
-  Ticker ticker(10);  // 0, 0.1, 0.2 s
+  const Ticker ticker(10, 0.03);  // 0, 0.1, 0.2 s
   std::vector<double> ticks;
   for (int n = 0; n < 8; ++n) {
     if (ticker.due(n * 0.03)) ticks.push_back(n);

@@ -86,6 +86,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{SCENE " _start_paused:=1", "~start_paused: must be true or false, got '1'"},
         Refusal{SCENE " _publish_rat:=1", "~publish_rat: unknown, got '1'; known: clock_rate"},
         Refusal{SCENE " _publish_clock:=true", "~publish_clock: must be false unless"},
+        Refusal{SCENE " _reset_time:=true", "~reset_time: must be false unless ~publish_clock"},
+        Refusal{SCENE " _start_time:=-1", "~start_time: must be a time >= 0 s that ROS can tell"},
+        Refusal{"__name:=box " SCENE, "body 'box': name must not be that of the node"},
         Refusal{"_scene_file:=absent.yaml", "absent.yaml: cannot be opened"},
         Refusal{"_scene:='time_step: -1'", "parameter ~scene:1: "}));
 

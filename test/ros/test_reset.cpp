@@ -3,11 +3,7 @@
 #include <geometry_msgs/WrenchStamped.h>
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Log.h>
-#include <std_srvs/SetBool.h>
-#include <std_srvs/Trigger.h>
 #include <tf2_ros/transform_listener.h>
-
-#include <rigid_body_sim/Step.h>
 
 #include "node_driver.hpp"
 
@@ -46,30 +42,6 @@ TEST(Reset, RaisesNoWarningAboutTfWhileTimeRunsOn) {
   }));
   for (const std::string& warning : warnings)
     EXPECT_NE(warning.find("wrench refused"), std::string::npos) << warning;
-}
-
-TEST(Reset, OfTimeStartsOverAtOnceWhileRunning) {
-  ros::NodeHandle nh("back");
-  std::vector<ros::Time> stamps;
-  const boost::function<void(const nav_msgs::Odometry&)> hear =
-      [&](const nav_msgs::Odometry& message) { stamps.push_back(message.header.stamp); };
-  const ros::Subscriber odometry = nh.subscribe<nav_msgs::Odometry>("ball/odom", 100000, hear);
-  ASSERT_TRUE(ros::service::waitForService("back/back/step", 20000));
-
-  // far longer than the test waits
-  Step step;
-  step.request.steps = 100000;
-  ASSERT_TRUE(ros::service::call("back/back/step", step));
-  std_srvs::SetBool resume;
-  ASSERT_TRUE(ros::service::call("back/back/pause", resume));
-  ASSERT_TRUE(
-      NodeDriver::waitFor([&] { return !stamps.empty() && stamps.back() > step.response.stamp; }));
-
-  std_srvs::Trigger reset;
-  ASSERT_TRUE(ros::service::call("back/back/reset", reset));
-  // about a thousand seconds before
-  EXPECT_TRUE(NodeDriver::waitFor(
-      [&] { return stamps.back() < step.response.stamp - ros::Duration(900); }));
 }
 
 }  // namespace rigid_body_sim

@@ -159,6 +159,14 @@ TEST_F(WrenchIntake, RefusesADurationThatIsNegativeOrNeedsAnId) {
   EXPECT_EQ(take(request).fault, "duration must be > 0 s where id is empty, got 0");
 }
 
+TEST_F(WrenchIntake, RefusesAnIdThatIsTooLongToKeep) {
+  WrenchRequest request = general("map");
+  request.slot = std::string(4096, 'a');
+  EXPECT_EQ(take(request).fault, "");
+  request.slot += 'a';
+  EXPECT_EQ(take(request).fault, "id must be shorter than 4096 bytes");
+}
+
 TEST_F(WrenchIntake, RefusesNumbersThatAreNotFinite) {
   for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     WrenchRequest request = everyday("box");

@@ -83,6 +83,23 @@ TEST_F(WrenchServices, ApplyRefusesWhatTheIntegratorDoesNotTake) {
   EXPECT_EQ(faultOf(message, "alone/alone"), "");
 }
 
+TEST_F(WrenchServices, ApplyRefusesWhatWouldFillTheMemory) {
+  AppliedWrench message = lasting("canary", "");
+  message.start = start + ros::Duration(1000);
+  ros::ServiceClient client = nh.serviceClient<ApplyWrench>("rigid_body_node/apply_wrench", true);
+  ApplyWrench call;
+  call.request.wrench = message;
+  int taken = 0;
+  while (taken <= 1000 && client.call(call) && call.response.success) ++taken;
+  EXPECT_EQ(taken, 1000);
+  EXPECT_NE(call.response.message.find("less than 1000 wrenches"), std::string::npos)
+      << call.response.message;
+  EXPECT_EQ(clear("canary", "").message, "ended: 1000");
+  EXPECT_EQ(faultOf(lasting("box", "tug")), "");
+  pushReference("box", "tug");
+  stepBoth(20);
+}
+
 TEST_F(WrenchServices, ClearEndsOneIdNowAndToCome) {
   EXPECT_EQ(faultOf(lasting("box", "a")), "");
   EXPECT_EQ(faultOf(lasting("box", "b")), "");

@@ -108,9 +108,11 @@ TEST(SceneNames, DifferFromTheWorldFrame) {
 TEST(SceneNames, AreWordsOfLettersDigitsAndUnderscores) {
   for (const std::string name : {"1a", "_a", "a-b", "a/b", "\"a b\"", "\"\"", "\u00e9"})
     EXPECT_EQ(errorOf(bodyScene("  - name: " + name + "\n")),
-              "s.yaml:3: bodies[0]: name must be a name [A-Za-z][A-Za-z0-9_]*, got " + name);
+              "s.yaml:3: bodies[0]: name must be a name [A-Za-z][A-Za-z0-9_]* of at most 255 "
+              "bytes, got " +
+                  name);
   EXPECT_EQ(boxError("    points: {a-b: {}}\n"),
-            kAt + "points: 'a-b' must be a name [A-Za-z][A-Za-z0-9_]*");
+            kAt + "points: 'a-b' must be a name [A-Za-z][A-Za-z0-9_]* of at most 255 bytes");
   EXPECT_EQ(errorOf("world_frame: /map\n" + boxScene()),
             "s.yaml:1: world_frame must be a frame name [A-Za-z][A-Za-z0-9_]*, parts joined by /, "
             "got /map");

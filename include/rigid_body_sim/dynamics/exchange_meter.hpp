@@ -9,11 +9,10 @@
 namespace rigid_body_sim {
 
 /// Sums what bodies exchange with what is around them while they are advanced:
-///   work              ∫ Σ (f · v + τ · ω) dt  of applied wrenches and drag, + ∫ externalPower dt
-///   of
-///                     the laws: all that no potential energy accounts for
-///   impulse           ∫ Σ f dt                of all forces, gravity and laws included
-///   angular impulse   ∫ Σ (x × f + τ) dt      likewise, about the world's origin
+///   work: ∫ Σ (f · v + τ · ω) dt of applied wrenches and drag, and ∫ externalPower dt of the laws,
+///     which is all that no potential energy accounts for
+///   impulse: ∫ Σ f dt of all forces, gravity and laws included
+///   angular impulse: ∫ Σ (x × f + τ) dt likewise, about the world's origin
 ///
 /// Each by a Gauss–Legendre rule over each part that the motion is advanced in. Between a start and
 /// an end of a part, a stepped motion is where a shorter step of the same row leads to. With a node

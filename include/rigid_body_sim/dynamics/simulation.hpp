@@ -33,6 +33,9 @@ struct ErrorEstimate {
 /// another are advanced apart. A copy goes on by itself.
 class Simulation {
  public:
+  /// Wrenches that may act or be to come, of all bodies together.
+  static constexpr std::size_t kMostWrenches = 100000;
+
   /// Throws std::invalid_argument for an integrator that is unknown or refuses a wrench of the
   /// world.
   Simulation(World world, State initial);
@@ -49,7 +52,7 @@ class Simulation {
   State sample(double t) const;
 
   /// Applies a wrench; see WrenchSchedule::put for slots. Throws std::invalid_argument, and leaves
-  /// all as it was, for one that the integrator does not accept.
+  /// all as it was, for one that the integrator does not accept, and for one more than may be.
   void applyWrench(const std::string& slot, const PointWrench& wrench);
 
   /// Ends, now, every wrench, those of a body, or those of one slot of it.
@@ -59,6 +62,7 @@ class Simulation {
 
   /// Number of wrenches that act now or are to come.
   std::size_t wrenchCount() const;
+  std::size_t wrenchCount(std::size_t body) const { return schedules_[body].size(); }
 
   /// The wrenches that act on a body now.
   const std::vector<PointWrench>& activeWrenches(std::size_t body) const {
@@ -84,9 +88,9 @@ class Simulation {
   /// the two runs over 2^order − 1. Infinite once the second run has diverged.
   const ErrorEstimate& errorEstimate() const { return error_; }
 
-  /// From now on every step is metered, for what it takes to follow it once or twice more
-  /// (ExchangeMeter); the motion keeps its bits. The balance starts anew with a body's state set
-  /// from outside and with a reset.
+  /// From now on every step is metered (ExchangeMeter), at the price of half the order and one more
+  /// steps of a stepped motion, of a few evaluations of a solved one; the run keeps its bits. The
+  /// balance starts anew with a body's state set from outside and with a reset.
   void trackBalance();
 
   /// E − E₀ − work, p − p₀ − ∫f and L − L₀ − ∫τ since the balance was started; not numbers unless

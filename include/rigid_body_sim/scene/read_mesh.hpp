@@ -9,12 +9,12 @@ namespace rigid_body_sim {
 /// Triangles of a mesh file, every length multiplied by scale: STL (ascii or binary), OBJ or DAE,
 /// told apart by the extension in either case. Polygons are divided into triangles; points and
 /// lines are left out. The surface is the one that rviz draws: COLLADA's transforms and unit apply,
-/// its up axis does not. Coordinates come in the single precision of STL, whatever the format.
-/// Vertices are as in the file, repeated for STL: see checkedMesh.
+/// its up axis does not. Coordinates are the nearest doubles to those of a text, but COLLADA's come
+/// in single precision. Vertices are as in the file, repeated for STL: see checkedMesh.
 ///
 /// Throws std::runtime_error with one line, the path first, for a file that is missing, is no
-/// regular file, is shorter than it claims, cannot be parsed, holds a coordinate that is not
-/// finite, or holds no triangle.
+/// regular file, is beyond limits.hpp, is shorter than it claims, cannot be parsed, holds a
+/// coordinate that is not finite, or holds no triangle.
 TriangleMesh readMesh(const std::string& path, double scale);
 
 }  // namespace rigid_body_sim

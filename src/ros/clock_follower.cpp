@@ -1,0 +1,24 @@
+#include "clock_follower.hpp"
+
+#include <utility>
+
+namespace rigid_body_sim {
+namespace {
+
+constexpr std::uint32_t kQueueSize = 100;
+
+}  // namespace
+
+ClockFollower::ClockFollower(ros::NodeHandle nh)
+    : subscriber_(nh.subscribe("/clock", kQueueSize, &ClockFollower::hear, this,
+                               ros::TransportHints().tcpNoDelay())) {}
+
+bool ClockFollower::takeSetBack() { return std::exchange(set_back_, false); }
+
+void ClockFollower::hear(const rosgraph_msgs::Clock& message) {
+  if (message.clock < now_) set_back_ = true;
+  heard_ = true;
+  now_ = message.clock;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+
+#include "clock_follower.hpp"
+#include "conversions.hpp"
+#include "node_options.hpp"
+#include "pacer.hpp"
+
+namespace rigid_body_sim {
+
+/// Which stamps the steps bear, and when they are due: by the wall as the Pacer ties it to
+/// simulation time, or by the clock of another node, as soon as that has reached the stamp. Such a
+/// clock is never passed; a step that it has left behind is taken at once, and none is dropped.
+class Timekeeper {
+ public:
+  /// Waits for a clock that is followed from where it is first heard, or for ROS to shut down. The
+  /// queue, which outlives this, is that of the handle.
+  Timekeeper(const NodeOptions& options, const ros::NodeHandle& nh, ros::CallbackQueue& queue);
+
+  const TimeOrigin& origin() const { return origin_; }
+
+  /// Ties the wall to simulation time t [s].
+  void restart(double t);
+
+  /// Wall time [s], below the longest wait, until it is worth asking again whether the step that
+  /// reaches t [s] is due; not above 0: it is.
+  double untilDue(double t) const;
+
+  /// Whether t [s] lies ahead of a clock that is followed.
+  bool isAhead(double t) const;
+
+  /// The step from t − h to t begins now.
+  void begin(double t, double h);
+
+  /// Whether a clock that is followed has been set back since this was asked last, and simulation
+  /// time with it: to its start, which lies where the clock is now unless start_time says where.
+  bool takeSetBack();
+
+  std::int64_t overruns() const { return pacer_.overruns(); }
+
+  /// Longest wait for a callback [s]: how soon a shutdown is seen.
+  static constexpr double kLongestWait = 0.05;
+
+ private:
+  TimeOrigin findStart(ros::CallbackQueue& queue) const;
+
+  NodeOptions options_;
+  Pacer pacer_;
+  std::unique_ptr<ClockFollower> clock_;  // null unless it is another's
+  TimeOrigin origin_;
+};
+
+}  // namespace rigid_body_sim

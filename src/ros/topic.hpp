@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+
+#include <ros/time.h>
+
+namespace rigid_body_sim {
+
+/// A topic to write to, whatever lies behind it: a publisher of ROS or a bag.
+template <class Message>
+struct Topic {
+  std::function<bool()> heard;  ///< whether anybody takes what is published
+  std::function<void(const Message&, const ros::Time& stamp)> publish;
+};
+
+}  // namespace rigid_body_sim

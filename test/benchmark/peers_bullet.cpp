@@ -1,0 +1,122 @@
+#include <memory>
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <btBulletDynamicsCommon.h>
+
+#include "benchmark/peers_ladder.hpp"
+
+// In double precision. Rigid bodies with each of the three gyroscopic terms, and a multibody of one
+// base by Runge–Kutta. No damping, no collisions, no sleep. A force holds for one step.
+
+namespace rigid_body_sim::peers {
+namespace {
+
+btVector3 vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+Quaternion4 coefficients(const btQuaternion& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+
+struct Parts {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+};
+
+class RigidBodyWorld {
+ public:
+  RigidBodyWorld(const Problem& problem, double h, int gyroscopic)
+      : problem_(problem), h_(h), body_(problem.mass, nullptr, &shape_, vector(problem.I)) {
+    world_.setGravity(vector(problem.g_W));
+    body_.setFlags(gyroscopic);
+    body_.setDamping(0, 0);
+    body_.setActivationState(DISABLE_DEACTIVATION);
+    body_.setAngularVelocity(vector(problem.w));
+    world_.addRigidBody(&body_, 0, 0);
+  }
+  ~RigidBodyWorld() { world_.removeRigidBody(&body_); }
+  RigidBodyWorld(const RigidBodyWorld&) = delete;
+  RigidBodyWorld& operator=(const RigidBodyWorld&) = delete;
+
+  void step() {
+    if (problem_.isPushed())
+      body_.applyForce(vector(problem_.force_W),
+                       body_.getWorldTransform().getBasis() * vector(problem_.arm_P));
+    world_.stepSimulation(h_, 0);
+  }
+
+  Quaternion4 attitude() const { return coefficients(body_.getOrientation()); }
+
+ private:
+  const Problem& problem_;
+  double h_;
+  Parts parts_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld world_{&parts_.dispatcher, &parts_.broadphase, &solver_,
+                                 &parts_.configuration};
+  btSphereShape shape_{0.1};
+  btRigidBody body_;
+};
+
+class MultiBodyWorld {
+ public:
+  MultiBodyWorld(const Problem& problem, double h)
+      : problem_(problem), h_(h), body_(0, problem.mass, vector(problem.I), false, false) {
+    world_.setGravity(vector(problem.g_W));
+    body_.useRK4Integration(true);
+    body_.setLinearDamping(0);
+    body_.setAngularDamping(0);
+    body_.setMaxCoordinateVelocity(1e30);
+    body_.finalizeMultiDof();
+    body_.setBaseOmega(vector(problem.w));
+    world_.addMultiBody(&body_);
+  }
+  ~MultiBodyWorld() { world_.removeMultiBody(&body_); }
+  MultiBodyWorld(const MultiBodyWorld&) = delete;
+  MultiBodyWorld& operator=(const MultiBodyWorld&) = delete;
+
+  void step() {
+    if (problem_.isPushed()) {
+      const btVector3 force = vector(problem_.force_W);
+      const btVector3 arm_W = body_.localDirToWorld(-1, vector(problem_.arm_P));
+      body_.addBaseForce(force);
+      body_.addBaseTorque(arm_W.cross(force));
+    }
+    world_.stepSimulation(h_, 0);
+  }
+
+  /// The base keeps the rotation from the world to it.
+  Quaternion4 attitude() const { return coefficients(body_.getWorldToBaseRot().inverse()); }
+
+ private:
+  const Problem& problem_;
+  double h_;
+  Parts parts_;
+  btMultiBodyConstraintSolver solver_;
+  btMultiBodyDynamicsWorld world_{&parts_.dispatcher, &parts_.broadphase, &solver_,
+                                  &parts_.configuration};
+  btMultiBody body_;
+};
+
+std::vector<Run> bulletRuns(const Problem& problem) {
+  std::vector<Run> runs;
+  const auto add = [&](const std::vector<Run>& more) {
+    runs.insert(runs.end(), more.begin(), more.end());
+  };
+  const auto rigid = [&](const char* name, int gyroscopic) {
+    add(steppedRuns(name, problem, [&](double h) {
+      return std::make_unique<RigidBodyWorld>(problem, h, gyroscopic);
+    }));
+  };
+  rigid("implicit (body)", BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
+  rigid("implicit (world)", BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD);
+  rigid("explicit", BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT);
+  add(steppedRuns("multibody, RK4", problem,
+                  [&](double h) { return std::make_unique<MultiBodyWorld>(problem, h); }));
+  return runs;
+}
+
+const Registration kBullet({"Bullet", bulletRuns});
+
+}  // namespace
+}  // namespace rigid_body_sim::peers

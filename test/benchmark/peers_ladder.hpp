@@ -1,0 +1,67 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "benchmark/peers.hpp"
+#include "tools/cpu_time.hpp"
+
+namespace rigid_body_sim::peers {
+
+/// Processor time of run(start), the least of several, each from a start of its own by make().
+template <class Make, class Execute>
+Run timedRun(const std::string& setting, const Make& make, const Execute& execute) {
+  constexpr double kBudget = 0.01;  // [s]
+  constexpr int kMostRuns = 100;
+  Run run;
+  run.setting = setting;
+  run.seconds = std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (int k = 0; k < kMostRuns && sum < kBudget; ++k) {
+    auto start = make();
+    const double begin = cpuTime();
+    execute(*start);
+    const double seconds = cpuTime() - begin;
+    run.seconds = std::min(run.seconds, seconds);
+    run.q = start->attitude();
+    sum += seconds;
+  }
+  return run;
+}
+
+/// Runs of an engine that is stepped from outside: make(h) returns a pointer to a new world with
+/// step() and attitude(). Steps from the longest [s] down to 1e-4 s, and to 1e-5 s where a method
+/// of first order could then come within the next target.
+template <class Make>
+std::vector<Run> steppedRuns(const std::string& name, const Problem& problem, const Make& make,
+                             double longest = 0.1) {
+  constexpr double kShortest = 1e-4, kShortestOfAll = 1e-5;  // [s]
+  constexpr double kLikely = 12;
+  std::vector<Run> runs;
+  double least = std::numeric_limits<double>::infinity();
+  double h = longest;
+  const auto runWith = [&](double step) {
+    const auto steps = static_cast<std::int64_t>(std::ceil(problem.duration / step - 1e-6));
+    const double exact = problem.duration / static_cast<double>(steps);
+    runs.push_back(timedRun(
+        label(name, "h", exact), [&] { return make(exact); },
+        [&](auto& world) {
+          for (std::int64_t i = 0; i < steps; ++i) world.step();
+        }));
+    least = std::fmin(least, errorOf(runs.back(), problem));
+  };
+  for (; h > 1.01 * kShortest && least > kTargets.back(); h /= 2) runWith(h);
+  if (least > kTargets.back()) runWith(kShortest);
+  const auto next =
+      std::find_if(kTargets.begin(), kTargets.end(), [&](double t) { return t < least; });
+  if (next == kTargets.end() || least > kLikely * *next) return runs;
+  for (h = kShortest / 2; h > 1.01 * kShortestOfAll && least > *next; h /= 2) runWith(h);
+  if (least > *next) runWith(kShortestOfAll);
+  return runs;
+}
+
+}  // namespace rigid_body_sim::peers

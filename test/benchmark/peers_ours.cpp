@@ -1,0 +1,123 @@
+#include "benchmark/peers_ours.hpp"
+
+#include <rigid_body_sim/dynamics/rotor.hpp>
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/taylor_segment.hpp>
+
+#include "tools/cpu_time.hpp"
+
+namespace rigid_body_sim::peers {
+namespace {
+
+Vector3d vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+Body bodyOf(const Problem& p) {
+  const Vector3d I = vector(p.I);
+  return makeBody(p.name, {p.mass, Vector3d::Zero(), I.asDiagonal()});
+}
+
+/// The problem's axes need not ascend; P is the body's own sorted frame.
+BodyState startOf(const Problem& p, const Body& body) {
+  BodyFrameMotion motion;
+  motion.w_W = vector(p.w);
+  return toBodyState(body, motion);
+}
+
+PointWrench pushOf(const Problem& p, const Body& body) {
+  PointWrench push;
+  push.force = vector(p.force_W);
+  push.point = body.X_BP.inverse() * vector(p.arm_P);
+  return push;
+}
+
+World worldOf(const Problem& p, const std::string& integrator, double time_step) {
+  World world;
+  world.bodies = {bodyOf(p)};
+  world.g_W = vector(p.g_W);
+  if (p.isPushed()) world.wrenches = {pushOf(p, world.bodies[0])};
+  world.solver.integrator = integrator;
+  world.solver.time_step = time_step;
+  return world;
+}
+
+/// The attitude of the body frame at the end, by the exact rotation or Taylor series, in long
+/// double.
+Quaternion<long double> trueAttitude(const Problem& p) {
+  const Body body = bodyOf(p);
+  const BodyState start = startOf(p, body);
+  BodyStateT<long double> s;
+  s.q_WP = start.q_WP.cast<long double>().normalized();
+  s.p_W.setZero();
+  s.L_P = start.L_P.cast<long double>();
+  s.L_W = rotate(s.q_WP, s.L_P);
+  const Quaternion<long double> q_PB = body.q_BP.cast<long double>().conjugate();
+  if (!p.isPushed()) {
+    const Rotor<long double> rotor(body.I.cast<long double>());
+    return rotor.from(s.q_WP, s.L_P, s.L_W).at(p.duration).q_WP * q_PB;
+  }
+  HeldWrench held;
+  held.add(pushOf(p, body));
+  return advanceTaylor<long double>(body, held, vector(p.g_W), s, p.duration).q_WP * q_PB;
+}
+
+Run ourRun(const Problem& p, const std::string& setting, const World& world) {
+  constexpr double kBudget = 0.01;  // [s]
+  State initial;
+  initial.bodies = {startOf(p, world.bodies[0])};
+  Run run;
+  run.setting = setting;
+  run.seconds = leastCpuTime(
+      Simulation(world, initial),
+      [&](Simulation& simulation) {
+        // half a step beyond any rounding of the count
+        while (simulation.time() < p.duration - 0.5 * world.solver.time_step) simulation.step();
+        const Quaterniond q = simulation.state().bodies[0].q_WP * world.bodies[0].q_BP.conjugate();
+        run.q = {q.x(), q.y(), q.z(), q.w()};
+      },
+      kBudget);
+  return run;
+}
+
+/// In one step, as the error does not depend on it: to rounding, and over a ladder of tolerances.
+std::vector<Run> autoRuns(const Problem& p) {
+  World world = worldOf(p, "auto", p.duration);
+  world.solver.horizon = p.duration;
+  std::vector<Run> runs{ourRun(p, "auto", world)};
+  world.solver.tolerance_stated = true;
+  for (double tolerance = 1e-12; tolerance < 1; tolerance *= 2) {
+    world.solver.tolerance = tolerance;
+    runs.push_back(ourRun(p, label("auto", "tolerance", tolerance), world));
+  }
+  return runs;
+}
+
+std::vector<Run> rowRuns(const Problem& p, const std::string& row) {
+  constexpr double kLongest = 0.02;  // [s] as for odeint
+  constexpr int kCoarse = 1000;  // steps so long are divided, and may cost more than shorter ones
+  std::vector<Run> runs;
+  for (int steps = 1; steps < 1000000; steps = steps + 1 + steps / 5) {
+    try {
+      const double h = p.duration / steps;
+      runs.push_back(ourRun(p, label(row, "h", h), worldOf(p, row, h)));
+    } catch (const SimulationDiverged&) {
+      continue;
+    }
+    if (runs.back().seconds > kLongest && steps > kCoarse) break;
+  }
+  return runs;
+}
+
+}  // namespace
+
+Quaternion4 truthOf(const Problem& problem) {
+  const Quaterniond q = trueAttitude(problem).cast<double>();
+  return {q.x(), q.y(), q.z(), q.w()};
+}
+
+std::vector<Contender> ourRuns(const Problem& problem) {
+  std::vector<Contender> ours{{"auto", autoRuns(problem)}};
+  for (const Method& row : catalogue()) ours.push_back({row.name, rowRuns(problem, row.name)});
+  return ours;
+}
+
+}  // namespace rigid_body_sim::peers

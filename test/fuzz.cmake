@@ -1,0 +1,12 @@
+# libFuzzer's programs; the libraries must be built with RIGID_BODY_SIM_SANITIZE of scripts/fuzz.
+add_custom_target(rigid_body_fuzzers)
+function(rigid_body_fuzzer name)
+  add_executable(fuzz_${name} test/fuzz/fuzz_${name}.cpp)
+  target_include_directories(fuzz_${name} PRIVATE src)
+  target_link_libraries(fuzz_${name} PRIVATE ${ARGN} rigid_body_compile_options -fsanitize=fuzzer)
+  add_dependencies(rigid_body_fuzzers fuzz_${name})
+endfunction()
+
+rigid_body_fuzzer(mesh rigid_body_sim_scene)
+rigid_body_fuzzer(scene rigid_body_sim_scene)
+rigid_body_fuzzer(wrench rigid_body_sim_ros)

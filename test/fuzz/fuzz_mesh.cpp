@@ -1,0 +1,28 @@
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#include <rigid_body_sim/mass/checked_mesh.hpp>
+
+#include "scene/read_obj.hpp"
+#include "scene/read_stl.hpp"
+
+/// The bytes of a mesh file, after a first byte that says of which format, give a solid or are
+/// refused in one line.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace rigid_body_sim;
+  if (size < 2) return -1;
+  const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
+  std::string fault;
+  try {
+    const CheckedMesh checked = checkedMesh(data[0] % 2 == 0 ? readStl(bytes) : readObj(bytes));
+    fault = checked.fault;
+    if (fault.empty() && !(volume(checked.mesh) > 0)) std::abort();
+  } catch (const std::runtime_error& refused) {
+    fault = refused.what();
+  }
+  if (fault.find_first_of("\n\r") != std::string::npos || fault.size() > 1000) std::abort();
+  return 0;
+}

@@ -1,0 +1,23 @@
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+/// Any text is read to the state that a simulation starts from, or refused in one line. To be run
+/// in an empty directory, for a scene may name files.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace rigid_body_sim;
+  try {
+    const Scene scene =
+        parseScene(std::string(reinterpret_cast<const char*>(data), size), "fuzz.yaml");
+    const World world = buildWorld(scene);
+    initialState(scene, world);
+  } catch (const SceneError& refused) {
+    const std::string line = refused.what();
+    if (line.find_first_of("\n\r") != std::string::npos || line.size() > 1000) std::abort();
+  }
+  return 0;
+}

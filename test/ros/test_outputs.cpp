@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "outputs.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// Keeps what is published.
+struct Memory {
+  template <class Message>
+  Topic<Message> open(const std::string& name, bool) {
+    return {[this] { return heard; },
+            [this, name](const Message& message, const ros::Time&) { keep(name, message); }};
+  }
+
+  void keep(const std::string& name, const nav_msgs::Odometry& m) { odometry[name].push_back(m); }
+  void keep(const std::string&, const tf2_msgs::TFMessage& m) { tf.push_back(m); }
+  void keep(const std::string&, const BodyStates& m) { states.push_back(m); }
+  void keep(const std::string&, const rosgraph_msgs::Clock& m) { clock.push_back(m.clock); }
+  template <class Message>
+  void keep(const std::string& name, const Message&) {
+    ++others[name];
+  }
+
+  bool heard = true;
+  std::map<std::string, std::vector<nav_msgs::Odometry>> odometry;
+  std::vector<tf2_msgs::TFMessage> tf;  // the static ones first
+  std::vector<BodyStates> states;
+  std::vector<ros::Time> clock;
+  std::map<std::string, int> others;
+};
+
+/// A run under wrenches, every step of it told.
+struct ToldRun {
+  explicit ToldRun(double time_step, double rate = 1e9)
+      : scene(sceneOf(time_step)), options(optionsOf(rate)) {}
+
+  static NodeOptions optionsOf(double rate) {
+    NodeOptions told;
+    told.publish_clock = true;
+    told.publish_rate = rate;
+    return told;
+  }
+
+  static Scene sceneOf(double time_step) {
+    Scene scene = parseScene(R"(
+time_step: 1
+gravity: [0.1, 0, -9.80665]
+bodies:
+  - name: box
+    mass: 2.0
+    inertia: {ixx: 1.0, iyy: 1.5, izz: 2.0, ixy: 0.1, ixz: -0.2, iyz: 0.05}
+    center_of_mass: [0.3, -0.2, 0.1]
+    position: [1, 2, 3]
+    orientation: [0.5, 0.5, 0.5, 0.5]
+    twist: {frame: world, linear: [1, -2, 3], angular: [0.5, -1, 2]}
+    points: {tip: {position: [1, 0, -0.5]}}
+  - {name: ball, shape: {sphere: {radius: 1}}, mass: 1}
+  - {name: post, shape: {sphere: {radius: 1}}, mass: 1, position: [5, 0, 0], fixed: true}
+wrenches:
+  - {body: box, frame: box/tip, force: [1, 2, 3], torque: [1, 0, 0], duration: 10}
+  - {body: box, frame: world, point: [0.1, 0.2, 0.3], force: [3, 2, 1], duration: 10}
+)",
+                             "test");
+    scene.time_step = time_step;
+    return scene;
+  }
+
+  void steps(int count) {
+    outputs.publishDue();
+    for (int i = 0; i < count; ++i) {
+      simulation.step();
+      outputs.publishDue();
+    }
+  }
+
+  Scene scene;
+  NodeOptions options;
+  World world = buildWorld(scene);
+  Simulation simulation{world, initialState(scene, world)};
+  TimeOrigin origin{ros::Time(1600000000, 123456789)};
+  Memory memory;
+  Outputs outputs{openTopics(memory, world, true), options, scene, simulation, origin};
+};
+
+Quaterniond attitude(const nav_msgs::Odometry& m) {
+  const geometry_msgs::Quaternion& q = m.pose.pose.orientation;
+  return {q.w, q.x, q.y, q.z};
+}
+
+Vector3d position(const nav_msgs::Odometry& m) { return fromPoint(m.pose.pose.position); }
+
+/// The rotation vector from one attitude to another, in the axes of the first.
+Vector3d rotationBetween(const Quaterniond& a, const Quaterniond& b) {
+  const Eigen::AngleAxisd rotation(a.conjugate() * b);
+  return rotation.angle() * rotation.axis();
+}
+
+/// By how much the twists of a run differ from the differences of its poses over two steps.
+struct Worst {
+  double linear = 0, angular = 0;
+};
+
+Worst twistErrors(double h) {
+  ToldRun run(h);
+  run.steps(static_cast<int>(std::lround(0.5 / h)));
+  const std::vector<nav_msgs::Odometry>& told = run.memory.odometry.at("box/odom");
+  Worst worst;
+  for (std::size_t i = 1; i + 1 < told.size(); ++i) {
+    const Vector3d v_W = (position(told[i + 1]) - position(told[i - 1])) / (2 * h);
+    const Vector3d w_B = (rotationBetween(attitude(told[i]), attitude(told[i + 1])) -
+                          rotationBetween(attitude(told[i]), attitude(told[i - 1]))) /
+                         (2 * h);
+    const geometry_msgs::Twist& twist = told[i].twist.twist;
+    worst.linear =
+        std::max(worst.linear, (v_W - attitude(told[i]) * fromVector3(twist.linear)).norm());
+    worst.angular = std::max(worst.angular, (w_B - fromVector3(twist.angular)).norm());
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST(Outputs, TwistIsTheDerivativeOfThePoseInBodyAxes) {
+  // a central difference is off by h²/6 of the third derivative: a fourth for half the step
+  const Worst coarse = twistErrors(0.002);
+  const Worst fine = twistErrors(0.001);
+  EXPECT_LT(coarse.linear, 1e-3);
+  EXPECT_LT(coarse.angular, 1e-3);
+  EXPECT_NEAR(coarse.linear / fine.linear, 4, 0.05);
+  EXPECT_NEAR(coarse.angular / fine.angular, 4, 0.05);
+}
+
+TEST(Outputs, TfAndStatesAreTheOdometry) {
+  ToldRun run(0.01);
+  run.steps(50);
+  const Memory& told = run.memory;
+  ASSERT_EQ(told.tf.size(), 1U + 51);
+  ASSERT_EQ(told.states.size(), 51U);
+  for (std::size_t k = 0; k < 51; ++k) {
+    const tf2_msgs::TFMessage& tf = told.tf[1 + k];
+    ASSERT_EQ(tf.transforms.size(), 2U);
+    for (std::size_t i : {0U, 1U}) {
+      const std::string& name = run.world.bodies[i].name;
+      const nav_msgs::Odometry& odometry = told.odometry.at(name + "/odom")[k];
+      EXPECT_EQ(tf.transforms[i].child_frame_id, name);
+      EXPECT_EQ(tf.transforms[i].header, odometry.header);
+      EXPECT_EQ(fromVector3(tf.transforms[i].transform.translation), position(odometry));
+      EXPECT_EQ(tf.transforms[i].transform.rotation, odometry.pose.pose.orientation);
+      EXPECT_EQ(told.states[k].header, odometry.header);
+      EXPECT_EQ(told.states[k].pose[i], odometry.pose.pose);
+      EXPECT_EQ(told.states[k].twist[i], odometry.twist.twist);
+    }
+  }
+}
+
+TEST(Outputs, StampsAreThoseOfTheStepsAndStrictlyIncrease) {
+  ToldRun run(0.003, 100);
+  run.steps(1000);
+  run.outputs.publishNow();
+  run.outputs.publishNow();
+  run.steps(0);  // once more for the same step
+  const std::vector<nav_msgs::Odometry>& told = run.memory.odometry.at("box/odom");
+  ASSERT_EQ(told.size(), 301U);
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    // the first step of 3 ms that reaches k times 10 ms
+    const double step = std::ceil(static_cast<double>(k) * 10 / 3 - 1e-9);
+    ASSERT_EQ(told[k].header.stamp, run.origin.start + ros::Duration(0.003 * step)) << k;
+    if (k > 0) {
+      ASSERT_LT(told[k - 1].header.stamp, told[k].header.stamp);
+    }
+  }
+  ASSERT_EQ(run.memory.clock.size(), 301U);
+  for (std::size_t k = 1; k < 301; ++k) ASSERT_LT(run.memory.clock[k - 1], run.memory.clock[k]);
+}
+
+TEST(Outputs, TellNothingToNobody) {
+  ToldRun run(0.01);
+  run.memory.heard = false;
+  run.steps(50);
+  EXPECT_TRUE(run.memory.odometry.empty());
+  EXPECT_TRUE(run.memory.states.empty());
+  EXPECT_EQ(run.memory.tf.size(), 1U);  // the static one, latched before
+  EXPECT_EQ(run.memory.others, (std::map<std::string, int>{{"~markers", 1}}));
+}
+
+}  // namespace rigid_body_sim

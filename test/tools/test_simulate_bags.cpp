@@ -1,0 +1,176 @@
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <geometry_msgs/WrenchStamped.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <sys/wait.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <rigid_body_sim/AppliedWrench.h>
+#include <rigid_body_sim/Input.h>
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "conversions.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+class SimulateBags : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return directory.path(name); }
+
+  std::string scene(const std::string& wrenches = "") const {
+    return directory.written("scene.yaml", R"(
+time_step: 0.004
+bodies: [{name: box, shape: {box: [1, 2, 3]}, mass: 2,
+          twist: {frame: world, linear: [0, 0, 0], angular: [1, 2, 0.1]},
+          points: {tip: {position: [0, 0, 1.5]}}},
+         {name: post, shape: {sphere: {radius: 1}}, mass: 1, fixed: true}]
+)" + wrenches);
+  }
+
+  /// Exit code of `simulate`; what it says is in `said`.
+  int simulate(const std::string& arguments) {
+    const std::string command =
+        std::string(RIGID_BODY_SIM_SIMULATE) + " " + arguments + " >" + path("said") + " 2>&1";
+    const int status = WEXITSTATUS(std::system(command.c_str()));
+    said = content("said");
+    return status;
+  }
+
+  std::string content(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(path(name)).rdbuf();
+    return text.str();
+  }
+
+  TemporaryDirectory directory;
+  std::string said;
+};
+
+geometry_msgs::WrenchStamped push(double x) {
+  geometry_msgs::WrenchStamped message;
+  message.header.frame_id = "world";
+  message.wrench.force.x = x;
+  return message;
+}
+
+}  // namespace
+
+TEST_F(SimulateBags, BagHoldsTheTopicsOfTheNodeAtTheirStamps) {
+  ASSERT_EQ(simulate(scene() + " --duration 1 --sample 0.1 --bag " + path("run.bag")), 0) << said;
+  rosbag::Bag bag(path("run.bag"), rosbag::bagmode::Read);
+  std::map<std::string, int> counts;
+  std::vector<ros::Time> stamps;
+  for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
+    ++counts[message.getTopic()];
+    if (const auto odometry = message.instantiate<nav_msgs::Odometry>()) {
+      EXPECT_EQ(message.getTime(), odometry->header.stamp);
+      stamps.push_back(odometry->header.stamp);
+    }
+  }
+  EXPECT_EQ(counts,
+            (std::map<std::string, int>{{"/box/applied_wrench", 10},
+                                        {"/box/odom", 10},
+                                        {"/clock", 100},
+                                        {"/rigid_body_node/markers", 11},  // the bodies once
+                                        {"/rigid_body_node/states", 10},
+                                        {"/tf", 10},
+                                        {"/tf_static", 1}}));
+  ASSERT_EQ(stamps.size(), 10U);
+  EXPECT_EQ(stamps.front(), ros::Time(0, 100000000));
+  EXPECT_EQ(stamps.back(), ros::Time(1, 0));
+  std::multiset<std::string> latched;
+  for (const rosbag::ConnectionInfo* connection : rosbag::View(bag).getConnections())
+    if (connection->header->at("latching") == "1") latched.insert(connection->topic);
+  EXPECT_EQ(latched, (std::multiset<std::string>{"/rigid_body_node/markers", "/tf_static"}));
+}
+
+TEST_F(SimulateBags, OdometryInTheBagIsTheStateOfTheCore) {
+  ASSERT_EQ(simulate(scene() + " --duration 0.4 --bag " + path("run.bag")), 0) << said;
+  const Scene loaded = loadScene(path("scene.yaml"));
+  const World world = buildWorld(loaded);
+  Simulation run(world, initialState(loaded, world));
+  rosbag::Bag bag(path("run.bag"), rosbag::bagmode::Read);
+  int compared = 0;
+  for (const rosbag::MessageInstance& message :
+       rosbag::View(bag, rosbag::TopicQuery("/box/odom"))) {
+    const auto odometry = message.instantiate<nav_msgs::Odometry>();
+    while (TimeOrigin().stamp(run.time()) < odometry->header.stamp) run.step();
+    EXPECT_EQ(*odometry,
+              toOdometry(world.bodies[0], run.state().bodies[0], "world", odometry->header.stamp));
+    ++compared;
+  }
+  EXPECT_EQ(compared, 40);  // at 100 Hz
+}
+
+TEST_F(SimulateBags, WrenchesOfTheDoorsActFromTheStepAtTheirTimeInTheBag) {
+  AppliedWrench general;
+  general.header.frame_id = "box/tip";
+  general.body = "box";
+  general.id = "g";
+  general.wrench.torque.z = 0.5;
+  general.duration = ros::Duration(0.0431);
+  AppliedWrench refused = general;
+  refused.body = "nobody";
+  // under a clock from zero, and under a wall clock, from the beginning of the bag
+  for (const ros::Time& begin : {ros::Time(), ros::Time(1700000000, 300)}) {
+    {
+      rosbag::Bag bag(path("doors.bag"), rosbag::bagmode::Write);
+      bag.write("/tf_static", begin + ros::Duration(0, 1), tf2_msgs::TFMessage());
+      bag.write("/box/wrench", begin + ros::Duration(0.039), push(3));
+      bag.write("/robot/rigid_body_node/wrench", begin + ros::Duration(0.1), general);
+      bag.write("/robot/rigid_body_node/wrench", begin + ros::Duration(0.1), refused);
+      bag.write("/boxes/wrench", begin + ros::Duration(0.1), push(100));
+    }
+    ASSERT_EQ(simulate(scene() + " --duration 1 --sample 0.1 --csv " + path("replay.csv") +
+                       " --wrench-bag " + path("doors.bag")),
+              0)
+        << said;
+    EXPECT_NE(said.find("2 wrenches taken at the times of the bag, 1 refused"), std::string::npos)
+        << said;
+    ASSERT_EQ(simulate(scene(R"(
+wrenches: [{body: box, frame: world, force: [3, 0, 0], start: 0.04, duration: 0.5},
+           {body: box, frame: box/tip, torque: [0, 0, 0.5], start: 0.1, duration: 0.0431}]
+)") + " --duration 1 --sample 0.1 --csv " +
+                       path("scheduled.csv")),
+              0)
+        << said;
+    EXPECT_EQ(content("replay.csv"), content("scheduled.csv"));
+  }
+}
+
+TEST_F(SimulateBags, BagThatCannotBeUsedIsRefusedInOneLine) {
+  { rosbag::Bag(path("empty.bag"), rosbag::bagmode::Write); }
+  {
+    rosbag::Bag bag(path("two.bag"), rosbag::bagmode::Write);
+    bag.write("/a/inputs", ros::Time(1), Input());
+    bag.write("/b/inputs", ros::Time(1), Input());
+  }
+  directory.written("text.bag", "no bag");
+  const std::map<std::string, std::string> refusals{
+      {"--wrench-bag " + path("absent.bag"), "absent.bag: Error opening file"},
+      {"--wrench-bag " + path("text.bag"), "text.bag: "},
+      {"--wrench-bag " + path("empty.bag"), "empty.bag: holds no wrench for a body of the scene"},
+      {"--wrench-bag " + path("two.bag"), "must hold the inputs of one node, got /a/inputs and"},
+      {"--bag " + path("no/such/directory"), "Error opening file"},
+      {"--duration 100 --bag /dev/full", "/dev/full: Error writing to file"}};
+  for (const auto& [arguments, line] : refusals) {
+    EXPECT_EQ(simulate(scene() + " " + arguments), 1) << arguments;
+    EXPECT_NE(said.find(line), std::string::npos) << said;
+    EXPECT_EQ(said.find("simulate: "), said.rfind("simulate: ")) << said;
+  }
+}
+
+}  // namespace rigid_body_sim
