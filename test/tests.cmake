@@ -178,3 +178,8 @@ rigid_body_gtest(test_elliptic
   SOURCES
     test/math/test_elliptic.cpp
   LIBRARIES rigid_body_sim_core GSL::gsl)
+
+rigid_body_gtest(test_extremes
+  SOURCES
+    test/extremes/test_extremes.cpp
+  LIBRARIES rigid_body_extremes)

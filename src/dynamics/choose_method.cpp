@@ -115,11 +115,19 @@ class Trial {
   double tolerance_ = 0;
 };
 
+/// What the rows are held against.
+struct Truth {
+  Track track;
+  int parts;    ///< of its steps
+  bool agrees;  ///< with itself at longer steps, within the tolerance or as far as rounding lets it
+};
+
 /// dop853 in more and more parts until it agrees with itself to a hundredth of the tolerance, or no
 /// better: the last is the truth that the rows are held against.
-std::optional<Track> truthOf(const Trial& trial) {
+std::optional<Truth> truthOf(const Trial& trial) {
   const Method& dop853 = methodNamed("dop853");
   std::optional<Track> last;
+  int last_parts = 1;
   double last_error = std::numeric_limits<double>::infinity();
   for (int parts = 1; parts <= trial.mostParts(); parts *= 2) {
     std::optional<Run> run = trial.run(dop853, parts);
@@ -127,13 +135,15 @@ std::optional<Track> truthOf(const Trial& trial) {
     if (run && last) {
       const double error = trial.error(*last, run->track);
       if (error < 0.01 || (error < 1 && error >= last_error) || trial.isStuck(error, last_error))
-        return std::move(run->track);
+        return Truth{std::move(run->track), parts, true};
       last_error = error;
     }
     last.reset();
     if (run) last = std::move(run->track);
+    last_parts = parts;
   }
-  return last;
+  if (!last) return std::nullopt;
+  return Truth{std::move(*last), last_parts, last_error < 1};
 }
 
 }  // namespace
@@ -143,9 +153,13 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
   constexpr double kMargin = 0.5;  // of the tolerance: the truth is itself a computed motion
   const unsigned needs = needsOf(world, group, schedules);
   const Trial trial(world, group, state, schedules, most_body_steps);
-  const std::optional<Track> truth = truthOf(trial);
+  const std::optional<Truth> truth = truthOf(trial);
   MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), 1, false};
   if (!truth) return best;
+  if (!truth->agrees) {
+    best.parts = truth->parts;
+    return best;
+  }
   double best_cost = std::numeric_limits<double>::infinity();
   // from the highest order down: what holds a tight tolerance bounds the cost of the others early
   for (auto row = catalogue().rbegin(); row != catalogue().rend(); ++row) {
@@ -154,7 +168,7 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
     for (int parts = 1; parts * row->cost < best_cost && parts <= trial.mostParts(); parts *= 2) {
       const std::optional<Run> run = trial.run(*row, parts);
       if (run) parts = run->parts;
-      const double error = run ? trial.error(run->track, *truth) : last_error;
+      const double error = run ? trial.error(run->track, truth->track) : last_error;
       const bool holds = run && error <= kMargin;
       if (holds && run->cost >= best_cost) break;
       if (holds || (!best.holds && error < best.error)) best = {&*row, parts, error, 1, holds};

@@ -92,6 +92,9 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
         system_.coupled.push_back(wrench);
     }
   }
+  drag_counts_ = system_.drags && choice_.method && !choice_.method->claimsTo(kRelaxes);
+  speeds_up_ = drag_counts_;
+  for (const HeldWrench& held : system_.held) speeds_up_ |= !held.torqueFree();
   workspace_.wrenches_current = false;
   solved_.reset();
 }
@@ -107,6 +110,10 @@ void Group::solve(double t, double t_end, double next_event, Meter& meter) {
   if (!solved_) anchor(t);
   for (int segments = 0; !(solved_->validUntil() >= t_end); ++segments) {
     const double t_valid = solved_->validUntil();
+    if (solved_->isFree())
+      throw StepTooLong(
+          "it has turned 1e15 rad since its last event, and no longer is its attitude "
+          "known to 1e-4 rad");
     if (!(t_valid > t) || segments == kMostSegments)
       throw StepTooLong("the motion is too fast to be followed");
     meter.solved(system_, *solved_, t, t_valid);
@@ -128,11 +135,21 @@ double Group::fastestRate(double h) const {
   double fastest = law_rate_;
   for (std::size_t k = 0; k < states_.size(); ++k)
     fastest = std::max(fastest, angularVelocity(system_.bodies[k]->inv_I, states_[k].L_P).norm());
-  if (!system_.drags || choice_.method->claimsTo(kRelaxes)) return fastest;
+  return speeds_up_ ? std::max(fastest, rateBroughtAbout(h)) : fastest;
+}
+
+/// [1/s] What torques may spin a body up to within h, and the decay by drag at the speed that
+/// steady forces may bring about: quadratic drag grows with it.
+double Group::rateBroughtAbout(double h) const {
+  double fastest = 0;
   for (std::size_t k = 0; k < states_.size(); ++k) {
-    // the speed that steady forces may bring about counts too: quadratic drag grows with it
     const Body& body = *system_.bodies[k];
     const HeldWrench& held = system_.held[k];
+    const Wrench wrench = held.at(states_[k]);
+    const Vector3d L_dot_P = rotateBack(states_[k].q_WP, wrench.tau_W) + wrench.tau_P;
+    const Vector3d w_end_P = angularVelocity(body.inv_I, Vector3d(states_[k].L_P + h * L_dot_P));
+    fastest = std::max(fastest, w_end_P.norm());
+    if (!drag_counts_) continue;
     const double push = body.mass * system_.g_W.norm() + held.f_W.norm() + held.f_P.norm();
     fastest = std::max(fastest, dragRate(body, (states_[k].p_W.norm() + h * push) / body.mass));
   }

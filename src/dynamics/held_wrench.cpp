@@ -1,7 +1,34 @@
+#include <algorithm>
+
 #include <rigid_body_sim/dynamics/held_wrench.hpp>
 
 namespace rigid_body_sim {
 namespace {
+
+/// sum + lost += term, and again sum is as near to the whole as a double can be.
+/// Source: Knuth, TAOCP 2, 4.2.2, theorem B, twice.
+void addTo(Vector3d& sum, Vector3d& lost, const Vector3d& term) {
+  const auto twoSum = [](const Vector3d& a, const Vector3d& b, Vector3d& rounded_away) {
+    const Vector3d whole = a + b;
+    const Vector3d part = whole - a;
+    rounded_away = (a - (whole - part)) + (b - part);
+    return whole;
+  };
+  Vector3d rounded_away;
+  const Vector3d coarse = twoSum(sum, term, rounded_away);
+  sum = twoSum(coarse, Vector3d(lost + rounded_away), lost);
+}
+
+/// Adds a force to what acts at the same place already; returns whether something does.
+template <class Applied>
+bool addAtSamePlace(const Vector3d& place, Vector3d Applied::*place_of, const Vector3d& force_W,
+                    std::vector<Applied>& acting) {
+  const auto same = std::find_if(acting.begin(), acting.end(),
+                                 [&](const Applied& a) { return a.*place_of == place; });
+  if (same == acting.end()) return false;
+  addTo(same->force_W, same->lost_W, force_W);
+  return true;
+}
 
 /// Levers summed into one per world axis:  Σ armᵢ × Rᵀ fᵢ = Σ_k (Σᵢ armᵢ f_ik) × Rᵀ e_k.
 std::vector<HeldWrench::Lever> mergedLevers(const std::vector<HeldWrench::Lever>& levers) {
@@ -23,16 +50,19 @@ bool HeldWrench::holds(const PointWrench& applied) {
 
 void HeldWrench::add(const PointWrench& applied) {
   if (applied.axes == applied.body) {
-    f_P += applied.force;
-    tau_P += applied.point.cross(applied.force) + applied.torque;
+    addTo(f_P, f_lost_P_, applied.force);
+    addTo(tau_P, tau_lost_P_, applied.point.cross(applied.force));
+    addTo(tau_P, tau_lost_P_, applied.torque);
     return;
   }
-  f_W += applied.force;
-  tau_W += applied.torque;
+  addTo(f_W, f_lost_W_, applied.force);
+  addTo(tau_W, tau_lost_W_, applied.torque);
   if (applied.force.isZero(0)) return;
   if (applied.point_frame == kWorld) {
-    pulls.push_back({applied.point, applied.force});
+    if (!addAtSamePlace(applied.point, &Pull::point_W, applied.force, pulls))
+      pulls.push_back({applied.point, applied.force});
   } else if (!applied.point.isZero(0)) {
+    if (addAtSamePlace(applied.point, &Lever::arm_P, applied.force, levers)) return;
     levers.push_back({applied.point, applied.force});
     if (levers.size() > 3) levers = mergedLevers(levers);
   }

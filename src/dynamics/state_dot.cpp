@@ -23,7 +23,7 @@ void accumulate(const BodyStateDot& dot, double weight, BodyStateDot& sum) {
 
 BodyState stagePoint(const BodyState& state, const BodyStateDot& dot, double h) {
   BodyState next = state;
-  next.x_W += h * dot.x_dot_W;
+  next.x_low_W += h * dot.x_dot_W;
   next.q_WP.coeffs() += h * dot.q_dot;
   next.p_W += h * dot.p_dot_W;
   next.L_P += h * dot.L_dot_P;
@@ -32,7 +32,7 @@ BodyState stagePoint(const BodyState& state, const BodyStateDot& dot, double h) 
 
 BodyState stepEnd(const BodyState& state, const BodyStateDot& dot, double h) {
   BodyState next = stagePoint(state, dot, h);
-  next.x_W = state.x_W;
+  next.x_low_W = state.x_low_W;
   moveBy(Vector3d(h * dot.x_dot_W), next);
   next.q_WP.normalize();
   next.L_W = rotate(next.q_WP, next.L_P);

@@ -19,6 +19,10 @@ namespace {
 
 constexpr double kSpan = 0.4;  // [s] that every pace tells: wrenches start and end in it
 
+/// Messages to compare: half of the ten ticks of the span. At the fastest pace a queue may drop
+/// some of these; later ones then stand in.
+constexpr std::size_t kFewest = 5;
+
 /// Namespace, which says how many bodies, and the node in it, which says at which pace.
 struct Pace {
   const char* bodies;
@@ -76,7 +80,7 @@ TEST_P(SameBytes, AreToldAtEveryPace) {
     ASSERT_TRUE(NodeDriver::waitFor([this] { return isToldTo(kSpan); }));
   } else {
     pause(false);
-    ASSERT_TRUE(NodeDriver::waitFor([this] { return isToldTo(kSpan); }));
+    ASSERT_TRUE(NodeDriver::waitFor([this] { return isToldTo(kSpan) && told.size() > kFewest; }));
     pause(true);
   }
 
@@ -85,17 +89,16 @@ TEST_P(SameBytes, AreToldAtEveryPace) {
   const Scene scene = parseScene(text, "~scene");
   const World world = buildWorld(scene);
   Simulation run(world, initialState(scene, world));
-  int compared = 0;
+  std::size_t compared = 0;
   for (const BodyStates& message : told) {
     const ros::Time stamp = message.header.stamp;
-    if (stamp > origin.stamp(kSpan)) break;
+    if (stamp > origin.stamp(kSpan) && compared >= kFewest) break;
     while (origin.stamp(run.time()) < stamp) run.step();
     const BodyStates expected = toBodyStates(world, run.state(), scene.world_frame, stamp);
     ASSERT_EQ(bytesOf(message), bytesOf(expected)) << run.time();
     ++compared;
   }
-  // ten ticks at 25 Hz, less what a queue may drop at the fastest pace
-  EXPECT_GE(compared, 5);
+  EXPECT_GE(compared, kFewest);
 }
 
 INSTANTIATE_TEST_SUITE_P(Paces, SameBytes,

@@ -55,6 +55,7 @@ class Group {
   template <class Meter>
   void solve(double t, double t_end, double next_event, Meter& meter);
   double fastestRate(double h) const;
+  double rateBroughtAbout(double h) const;
   template <class Meter>
   void stepInParts(double h, Meter& meter);
 
@@ -65,6 +66,8 @@ class Group {
   std::vector<BodyState> states_;       // of the members, while they are advanced
   std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
   ErrorBound bound_;                    // of a solved motion; none: to rounding
+  bool drag_counts_ = false;            // whether the method must follow the decay by drag
+  bool speeds_up_ = false;              // whether that or torques bring rates about
   double law_rate_ = 0;                 // [1/s] the fastest that laws bring about at any state
   int most_parts_ = 1;
 };

@@ -7,19 +7,22 @@
 namespace rigid_body_sim {
 
 /// The sum of the wrenches that act on one body between two events and depend on its own motion
-/// only: however many there are, evaluation costs the same. With R = R(q_WP):
+/// only: however many there are, evaluation costs the same. Forces that cancel leave what they were
+/// too great to hold: 1e20 N + 1 N − 1e20 N is 1 N. With R = R(q_WP):
 ///   force   f = f_W + R f_P
 ///   torque  τ = tau_W + R tau_P + R Σ armᵢ × Rᵀ forceᵢ + Σ (pointⱼ − x) × forceⱼ
 struct HeldWrench {
   /// A force fixed in the world that acts at a point fixed in the body.
   struct Lever {
-    Vector3d arm_P;    ///< [m]
-    Vector3d force_W;  ///< [N], also part of f_W
+    Vector3d arm_P;                      ///< [m]
+    Vector3d force_W;                    ///< [N], also part of f_W
+    Vector3d lost_W = Vector3d::Zero();  ///< [N] what force_W is too coarse to hold
   };
   /// A force fixed in the world that acts at a point fixed in the world.
   struct Pull {
-    Vector3d point_W;  ///< [m]
-    Vector3d force_W;  ///< [N], also part of f_W
+    Vector3d point_W;                    ///< [m]
+    Vector3d force_W;                    ///< [N], also part of f_W
+    Vector3d lost_W = Vector3d::Zero();  ///< [N]
   };
 
   Vector3d f_W = Vector3d::Zero();    ///< [N] forces fixed in the world, wherever they act
@@ -41,6 +44,13 @@ struct HeldWrench {
   /// No force in body axes and no torque at all: the centre of mass flies a parabola and the
   /// attitude turns freely.
   bool torqueFree() const;
+
+ private:
+  // what the sums above are too coarse to hold
+  Vector3d f_lost_W_ = Vector3d::Zero();
+  Vector3d tau_lost_W_ = Vector3d::Zero();
+  Vector3d f_lost_P_ = Vector3d::Zero();
+  Vector3d tau_lost_P_ = Vector3d::Zero();
 };
 
 }  // namespace rigid_body_sim

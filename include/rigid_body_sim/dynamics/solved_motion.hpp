@@ -17,7 +17,10 @@ class SolvedMotion {
                const BodyState& state, double horizon, const ErrorBound& bound = {});
 
   /// [s] the time up to which the solution holds; NaN where the motion is not finite.
-  double validUntil() const;
+  double validUntil() const { return valid_until_; }
+
+  /// Whether the body turns freely: then another anchor at validUntil() would not help it.
+  bool isFree() const { return std::holds_alternative<FreeFlight>(motion_); }
 
   /// The state at a time [s] between the anchor and validUntil().
   BodyState at(double t) const;
@@ -26,6 +29,7 @@ class SolvedMotion {
   using TaylorPointer = std::shared_ptr<const TaylorSegment>;  // never changed: copies share it
 
   double anchor_;
+  double valid_until_;
   std::variant<FreeFlight, TaylorPointer> motion_;
 };
 

@@ -19,7 +19,8 @@ BodyStateDot stateDot(const Body& body, const BodyState& state, const Wrench& wr
 /// sum += weight · dot
 void accumulate(const BodyStateDot& dot, double weight, BodyStateDot& sum);
 
-/// state + h · dot, field by field; the quaternion is not unit then, and L_W is left behind.
+/// state + h · dot, field by field; the quaternion is not unit then, and L_W is left behind. The
+/// place moves in its low part, which far out is the only one to hold it.
 BodyState stagePoint(const BodyState& state, const BodyStateDot& dot, double h);
 
 /// The end of a step: as stagePoint, with position sums compensated, q unit and L_W = R L_P.

@@ -1,0 +1,136 @@
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iostream>
+
+#include "sections.hpp"
+
+// Prints the map of the extremes as CSV, a line a cell: scripts/extremes makes a document of it.
+// usage: extremes map [SECTION] | growth ROW STEPS | day ROW
+
+namespace rigid_body_sim::extremes {
+namespace {
+
+const Names kFreeRows{"auto", "taylor",       "semi_implicit_euler", "strang", "magnus4",
+                      "rk4",  "blanes_moan6", "kahan_li8",           "dop853"};
+const Names kLawRows{"auto", "semi_implicit_euler", "strang",    "magnus4",
+                     "rk4",  "blanes_moan6",        "kahan_li8", "dop853"};
+const Names kFewRows{"auto", "strang", "rk4", "dop853"};
+
+/// Returns whether every cell says something: errors that are numbers, or what stopped the run.
+bool print(const Cells& cells) {
+  bool complete = true;
+  for (const Cell& c : cells) {
+    std::string said = c.said;
+    for (char& letter : said)
+      if (letter == '"') letter = '\'';
+    std::printf("%s,%s,\"%s\",%.2g,%.2g,%.2g,%.2g,\"%s\",\"%s\"\n", c.section.c_str(),
+                c.setting.c_str(), c.row.c_str(), c.attitude, c.position, c.energy,
+                c.angular_momentum, said.c_str(), c.warned.c_str());
+    if (!c.said.empty() || (c.finite() && c.section != "refused")) continue;
+    std::fprintf(stderr, "empty cell: %s %s %s\n", c.section.c_str(), c.setting.c_str(),
+                 c.row.c_str());
+    complete = false;
+  }
+  std::fflush(stdout);
+  return complete;
+}
+
+using Section = std::function<Cells()>;
+
+/// All sections by name; those that name no row run by all that accept what they hold.
+std::vector<std::pair<std::string, Section>> sections() {
+  std::vector<std::pair<std::string, Section>> named;
+  const auto add = [&](const char* name, const std::function<Cells(const Names&)>& section,
+                       const Names& rows) {
+    named.emplace_back(name, [=] { return section(rows); });
+  };
+  add("needle", needles, kFreeRows);
+  add("plate", plates, kFreeRows);
+  add("sphere", nearSpheres, kFreeRows);
+  add("two_equal", nearlySymmetric, kFreeRows);
+  add(
+      "spin", [](const Names& rows) { return spins(rows); }, kFreeRows);
+  add("step", steps, kFreeRows);
+  add(
+      "turn", [](const Names& rows) { return turns(rows); }, kFreeRows);
+  add("separatrix", separatrix, kFreeRows);
+  add("position", positions, kFreeRows);
+  add("mass", masses, kFreeRows);
+  add("force", centralForces, kFreeRows);
+  add(
+      "lever", [](const Names& rows) { return offCentreForces(rows); }, kFreeRows);
+  add("conflict", conflicts, kFreeRows);
+  add("arm", arms, kFreeRows);
+  add("far_pull", farPulls, kFreeRows);
+  add("through_zero", throughZero, kFreeRows);
+  add(
+      "spring", [](const Names& rows) { return springs(rows); }, kLawRows);
+  named.emplace_back("tolerance", tolerances);
+  named.emplace_back("crowd", [] { return crowds(kFewRows, 100000); });
+  named.emplace_back("schedule", [] { return schedules(kFewRows, 100000); });
+  named.emplace_back("refused", refusals);
+  for (const std::string& row : kFreeRows)
+    named.emplace_back("growth", [row] { return growth(row, 1000000); });
+  return named;
+}
+
+/// One section, or all.
+bool printMap(const std::string& wanted) {
+  bool complete = true;
+  for (const auto& [name, section] : sections())
+    if (wanted.empty() || name == wanted) complete &= print(section());
+  return complete;
+}
+
+/// [KiB] Memory in use, as the kernel counts it.
+long residentMemory() {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while (status >> word && word != "VmRSS:") {
+  }
+  long size = 0;
+  status >> size;
+  return size;
+}
+
+/// The OSRF box (complex) tumbles for 24 hours at 1 kHz.
+bool printDay(const std::string& row) {
+  test::Bench bench = test::complexBox();
+  bench.world.g_W.setZero();
+  Simulation simulation = bench.simulation(row, 1e-3);
+  for (int i = 0; i < 1000; ++i) simulation.step();
+  const long before = residentMemory();
+  Cells cells;
+  for (int hour = 1; hour <= 24; ++hour) {
+    while (simulation.steps() < hour * 3600000LL) simulation.step();
+    if (hour != 1 && hour % 6 != 0) continue;
+    Cell cell{"day", std::to_string(hour), row};
+    compare(bench, simulation.state(), freeEnds(bench, simulation.time(), Truth::closed_form),
+            cell);
+    cells.push_back(cell);
+  }
+  const bool complete = print(cells);
+  std::printf("memory,\"%s\",\"%s\",%ld,%ld,0,0,,\n", row.c_str(), row.c_str(), before,
+              residentMemory());
+  return complete;
+}
+
+}  // namespace
+}  // namespace rigid_body_sim::extremes
+
+int main(int argc, char** argv) {
+  using namespace rigid_body_sim::extremes;
+  const std::string what = argc > 1 ? argv[1] : "";
+  try {
+    if (what == "map" && argc <= 3) return printMap(argc == 3 ? argv[2] : "") ? 0 : 1;
+    if (what == "growth" && argc == 4) return print(growth(argv[2], std::atoll(argv[3]))) ? 0 : 1;
+    if (what == "day" && argc == 3) return printDay(argv[2]) ? 0 : 1;
+  } catch (const std::exception& failed) {
+    std::cerr << failed.what() << "\n";
+    return 1;
+  }
+  std::cerr << "usage: extremes map [SECTION] | growth ROW STEPS | day ROW\n";
+  return 2;
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+#include "cell.hpp"
+
+/// The sections of the map, one function each; rows: of the catalogue, where the section asks
+/// which.
+namespace rigid_body_sim::extremes {
+
+using Sizes = std::vector<double>;
+const Sizes kSpins{0, 1e-300, 1e-154, 1e-100, 1e-10, 1, 1e3, 1e6, 1e20, 1e300};  // [rad/s]
+const Sizes kTurns{1e-3, 1e-2, 0.1, 0.2, 0.4, 0.8, 1.6, 10, 100, 1e3, 1e6};      // [rad]
+const Sizes kOffCentreForces{1e-300, 1e-100, 1, 1e3, 1e5, 1e20, 1e100, 1e300};   // [N]
+const Sizes kStiffnesses{1e-300, 1, 1e6, 1e12, 1e18, 1e300};                     // [N/m]
+
+// free bodies
+Cells needles(const Names& rows);
+Cells plates(const Names& rows);
+Cells nearSpheres(const Names& rows);
+Cells nearlySymmetric(const Names& rows);
+Cells spins(const Names& rows, const Sizes& sizes = kSpins);
+Cells steps(const Names& rows);
+Cells turns(const Names& rows, const Sizes& sizes = kTurns);
+Cells separatrix(const Names& rows);
+Cells positions(const Names& rows);
+
+/// Errors at each power of ten of steps up to the given number.
+Cells growth(const std::string& row, std::int64_t most_steps);
+
+// bodies under wrenches and laws
+Cells masses(const Names& rows);
+Cells centralForces(const Names& rows);
+Cells offCentreForces(const Names& rows, const Sizes& sizes = kOffCentreForces);
+Cells conflicts(const Names& rows);
+Cells arms(const Names& rows);
+Cells farPulls(const Names& rows);
+Cells throughZero(const Names& rows);
+Cells springs(const Names& rows, const Sizes& sizes = kStiffnesses);
+Cells tolerances();
+Cells crowds(const Names& rows, std::size_t bodies);
+Cells schedules(const Names& rows, int entries);
+
+/// What the reader of scenes refuses, and how it says so.
+Cells refusals();
+
+}  // namespace rigid_body_sim::extremes
