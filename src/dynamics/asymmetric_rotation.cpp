@@ -163,12 +163,7 @@ RotationState<T> AsymmetricRotation<T>::at(T dt) const {
   m(a_) = amplitude_a_ * u.dn;
   m(1) = parity * amplitude_2_ * u.sn;
   m(2 - a_) = parity * amplitude_b_ * u.cn;
-  const Quaternion<T> turn =
-      product(rotationAbout<T>(Vector3<T>::Unit(a_), psi), shortestRotation<T>(a_, m));
-  RotationState<T> state{product(before_, turned_ ? halfTurned(turn) : turn), m * magnitude_};
-  if (turned_) state.L_P = Vector3<T>(-state.L_P.x(), state.L_P.y(), -state.L_P.z());
-  renormalize(state.q_WP);
-  return state;
+  return turnedState<T>(before_, turned_, a_, psi, m, magnitude_);
 }
 
 template class AsymmetricRotation<double>;

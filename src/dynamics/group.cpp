@@ -103,11 +103,9 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
 template <class Meter>
 void Group::solve(double t, double t_end, double next_event, Meter& meter) {
   constexpr int kMostSegments = 1000000;
-  const auto anchor = [&](double at) {
-    solved_.emplace(*system_.bodies[0], system_.held[0], system_.g_W, at, states_[0],
-                    next_event - at, bound_);
-  };
-  if (!solved_) anchor(t);
+  const Body& body = *system_.bodies[0];
+  const HeldWrench& held = system_.held[0];
+  if (!solved_) solved_.emplace(body, held, system_.g_W, t, states_[0], next_event - t, bound_);
   for (int segments = 0; !(solved_->validUntil() >= t_end); ++segments) {
     const double t_valid = solved_->validUntil();
     if (solved_->isFree())
@@ -118,8 +116,8 @@ void Group::solve(double t, double t_end, double next_event, Meter& meter) {
       throw StepTooLong("the motion is too fast to be followed");
     meter.solved(system_, *solved_, t, t_valid);
     states_[0] = solved_->at(t_valid);
-    anchor(t_valid);
     t = t_valid;
+    solved_->anchorAnew(body, held, system_.g_W, t, states_[0], next_event - t, bound_);
   }
   meter.solved(system_, *solved_, t, t_end);
   states_[0] = solved_->at(t_end);

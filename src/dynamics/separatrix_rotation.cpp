@@ -54,12 +54,7 @@ RotationState<T> SeparatrixRotation<T>::at(T dt) const {
   const T u = T(W(u0_) + lambda_ * W(dt));
   const W psi = rate_ * W(dt) + W(angle(u) - angle(u0_));
   const Vector3<T> m = momentum(u);
-  const Quaternion<T> turn =
-      product(rotationAbout<T>(Vector3<T>::Unit(a_), psi), shortestRotation<T>(a_, m));
-  RotationState<T> state{product(before_, turned_ ? halfTurned(turn) : turn), m * magnitude_};
-  if (turned_) state.L_P = Vector3<T>(-state.L_P.x(), state.L_P.y(), -state.L_P.z());
-  renormalize(state.q_WP);
-  return state;
+  return turnedState<T>(before_, turned_, a_, psi, m, magnitude_);
 }
 
 template class SeparatrixRotation<double>;

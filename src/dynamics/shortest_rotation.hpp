@@ -22,4 +22,17 @@ Quaternion<T> halfTurned(const Quaternion<T>& q) {
   return Quaternion<T>(q.w(), -q.x(), q.y(), -q.z());
 }
 
+/// The attitude and momentum that belong to a unit vector m of momentum: turned by psi about e_a
+/// from where m lies along it, `before` that; all seen from half turned axes if `turned`.
+template <class T, class Angle>
+RotationState<T> turnedState(const Quaternion<T>& before, bool turned, int a, const Angle& psi,
+                             const Vector3<T>& m, T magnitude) {
+  const Quaternion<T> turn =
+      product(rotationAbout<T>(Vector3<T>::Unit(a), psi), shortestRotation<T>(a, m));
+  RotationState<T> state{product(before, turned ? halfTurned(turn) : turn), m * magnitude};
+  if (turned) state.L_P = Vector3<T>(-state.L_P.x(), state.L_P.y(), -state.L_P.z());
+  renormalize(state.q_WP);
+  return state;
+}
+
 }  // namespace rigid_body_sim

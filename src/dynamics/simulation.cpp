@@ -110,9 +110,14 @@ State Simulation::sample(double t) const {
 void Simulation::formGroups(double most_trial_steps) {
   groups_.clear();
   group_of_.assign(world_->bodies.size(), 0);
-  for (const CoupledBodies& bodies : coupledBodies(*world_, schedules_)) {
+  const std::vector<CoupledBodies> all = coupledBodies(*world_, schedules_);
+  const auto trials = std::count_if(all.begin(), all.end(), [this](const CoupledBodies& bodies) {
+    return bodies.members.size() > 1 || needsOf(*world_, bodies, schedules_) != 0;
+  });
+  const double share = std::min(1.0, kFullTrials / std::max(1.0, static_cast<double>(trials)));
+  for (const CoupledBodies& bodies : all) {
     for (std::size_t body : bodies.members) group_of_[body] = groups_.size();
-    MethodChoice choice = chosen(bodies, most_trial_steps);
+    MethodChoice choice = chosen(bodies, share * most_trial_steps);
     choice.most_turn_share = most_turn_share_;
     groups_.emplace_back(*world_, bodies, choice);
     groups_.back().restart(state_.t, schedules_);

@@ -1,3 +1,6 @@
+#include <new>
+#include <type_traits>
+
 #include <rigid_body_sim/dynamics/solved_motion.hpp>
 
 namespace rigid_body_sim {
@@ -12,9 +15,24 @@ SolvedMotion::SolvedMotion(const Body& body, const HeldWrench& wrench, const Vec
     motion_ = FreeFlight(body, wrench.f_W + body.mass * g_W, state);
     valid_until_ = t + kMostTurn / angularVelocity(body.inv_I, state.L_P).stableNorm();
   } else {
-    motion_ = std::make_shared<const TaylorSegment>(body, wrench, g_W, state, horizon, bound);
+    motion_ = std::make_shared<TaylorSegment>(body, wrench, g_W, state, horizon, bound);
     valid_until_ = t + std::get<TaylorPointer>(motion_)->validFor();
   }
+}
+
+void SolvedMotion::anchorAnew(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
+                              double t, const BodyState& state, double horizon,
+                              const ErrorBound& bound) {
+  const auto* segment = std::get_if<TaylorPointer>(&motion_);
+  if (!segment || wrench.torqueFree() || segment->use_count() > 1) {
+    *this = SolvedMotion(body, wrench, g_W, t, state, horizon, bound);
+    return;
+  }
+  // allocating memory anew would take a tenth of what the series takes
+  static_assert(std::is_trivially_destructible_v<TaylorSegment>);
+  new (segment->get()) TaylorSegment(body, wrench, g_W, state, horizon, bound);
+  anchor_ = t;
+  valid_until_ = t + (*segment)->validFor();
 }
 
 BodyState SolvedMotion::at(double t) const {

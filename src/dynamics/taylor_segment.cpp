@@ -184,8 +184,10 @@ T TaylorSegmentT<T>::length(T size) const {
     last = std::max(last, std::max(sizeOf(N) / size_w, sizeOfL(N) / size_L));
     before = std::max(before, std::max(sizeOf(N - 1) / size_w, sizeOfL(N - 1) / size_L));
   }
-  return std::min(std::pow(size / last, T(1) / T(N)),
-                  std::pow(T(7) * size / before, T(1) / T(N - 1)));
+  const T s = std::pow(size / last, T(1) / T(N));
+  // before sᴺ⁻¹ <= 7 size, with sᴺ = size/last
+  if (before <= T(7) * last * s) return s;
+  return std::min(s, std::pow(T(7) * size / before, T(1) / T(N - 1)));
 }
 
 template <class T>

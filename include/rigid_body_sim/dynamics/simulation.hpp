@@ -118,6 +118,7 @@ class Simulation {
   // before the simulation starts, milliseconds once it runs.
   static constexpr double kTrialAtStart = 3e5;
   static constexpr double kTrialInTheRun = 3e3;
+  static constexpr double kFullTrials = 10;  // groups that may take so much; more of them share it
 
   template <class Advance>
   void stepBy(const Advance& advance);

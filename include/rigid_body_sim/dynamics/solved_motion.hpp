@@ -16,6 +16,10 @@ class SolvedMotion {
   SolvedMotion(const Body& body, const HeldWrench& wrench, const Vector3d& g_W, double t,
                const BodyState& state, double horizon, const ErrorBound& bound = {});
 
+  /// Anchors the motion at another state, as if made anew. What copies of it tell stays.
+  void anchorAnew(const Body& body, const HeldWrench& wrench, const Vector3d& g_W, double t,
+                  const BodyState& state, double horizon, const ErrorBound& bound);
+
   /// [s] the time up to which the solution holds; NaN where the motion is not finite.
   double validUntil() const { return valid_until_; }
 
@@ -26,7 +30,7 @@ class SolvedMotion {
   BodyState at(double t) const;
 
  private:
-  using TaylorPointer = std::shared_ptr<const TaylorSegment>;  // never changed: copies share it
+  using TaylorPointer = std::shared_ptr<TaylorSegment>;  // changed only while no copy shares it
 
   double anchor_;
   double valid_until_;
