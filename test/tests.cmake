@@ -116,6 +116,7 @@ find_package(rostest REQUIRED)
 find_package(roslaunch REQUIRED)
 function(rigid_body_rostest name)
   add_rostest_gtest(test_${name} test/ros/${name}.test test/ros/test_${name}.cpp ${ARGN})
+  target_include_directories(test_${name} PRIVATE test)
   target_link_libraries(test_${name} rigid_body_sim_ros rigid_body_compile_options gtest)
   add_dependencies(test_${name} rigid_body_node)
   target_compile_definitions(test_${name} PRIVATE

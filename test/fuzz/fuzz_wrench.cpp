@@ -12,21 +12,18 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "static_frames.hpp"
+#include "support/lopsided_box.hpp"
 #include "wrench_intake.hpp"
 #include "wrench_messages.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-constexpr char kScene[] = R"(
+const std::string kScene = R"(
 world_frame: map
 time_step: 0.01
 bodies:
-  - name: box
-    mass: 2.0
-    inertia: {ixx: 1.0, iyy: 1.5, izz: 2.0, ixy: 0.1, ixz: -0.2, iyz: 0.05}
-    center_of_mass: [0.3, -0.2, 0.1]
-    position: [1, 2, 3]
+)" + test::kLopsidedBox + R"(    position: [1, 2, 3]
     points: {tip: {position: [1, 0, 0], orientation: [0, 0, 0.6, 0.8]}}
   - {name: other, shape: {sphere: {radius: 1}}, mass: 1}
   - {name: post, shape: {sphere: {radius: 1}}, mass: 1, fixed: true}

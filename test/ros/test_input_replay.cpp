@@ -10,19 +10,16 @@
 #include "input_messages.hpp"
 #include "input_replay.hpp"
 #include "state_requests.hpp"
+#include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-const char* const kScene = R"(
+const std::string kScene = R"(
 gravity: [0, 0, -9.80665]
 time_step: 0.01
 bodies:
-  - name: box
-    mass: 2.0
-    inertia: {ixx: 1.0, iyy: 1.5, izz: 2.0, ixy: 0.1, ixz: -0.2, iyz: 0.05}
-    center_of_mass: [0.3, -0.2, 0.1]
-    twist: {frame: world, linear: [1, -2, 3], angular: [0.5, -1, 2]}
+)" + test::kLopsidedBox + R"(    twist: {frame: world, linear: [1, -2, 3], angular: [0.5, -1, 2]}
   - {name: other, shape: {box: [1, 2, 3]}, mass: 1,
      twist: {frame: world, linear: [0, 0, 0], angular: [0.1, 2, 0.1]}}
 wrenches:

@@ -10,6 +10,7 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "outputs.hpp"
+#include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -56,11 +57,7 @@ struct ToldRun {
 time_step: 1
 gravity: [0.1, 0, -9.80665]
 bodies:
-  - name: box
-    mass: 2.0
-    inertia: {ixx: 1.0, iyy: 1.5, izz: 2.0, ixy: 0.1, ixz: -0.2, iyz: 0.05}
-    center_of_mass: [0.3, -0.2, 0.1]
-    position: [1, 2, 3]
+)" + test::kLopsidedBox + R"(    position: [1, 2, 3]
     orientation: [0.5, 0.5, 0.5, 0.5]
     twist: {frame: world, linear: [1, -2, 3], angular: [0.5, -1, 2]}
     points: {tip: {position: [1, 0, -0.5]}}

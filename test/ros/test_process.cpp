@@ -9,31 +9,25 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "support/run_command.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
-struct Outcome {
-  int exit_code;
-  std::string errors;
-};
+using test::Outcome;
 
 std::string freshName() {
   static int count = 0;
   return "probe_" + std::to_string(++count);
 }
 
-/// Runs the node with the arguments, one string as a shell takes it, until it ends by itself.
+/// Runs the node with the arguments, one string as a shell takes it, until it ends by itself. What
+/// counts as its output is what it writes to standard error.
 Outcome runNode(const std::string& arguments) {
   // a name of its own: private parameters stay on the server
   const std::string command = std::string(RIGID_BODY_SIM_NODE) + " __name:=" + freshName() + " " +
                               arguments + " 2>&1 >/dev/null";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Outcome outcome{-1, ""};
-  char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
-    outcome.errors.append(buffer, n);
-  outcome.exit_code = WEXITSTATUS(pclose(pipe));
-  return outcome;
+  return test::runCommand(command);
 }
 
 std::string sceneFile(const std::string& yaml) {
@@ -70,8 +64,8 @@ class RefusedStart : public ::testing::TestWithParam<Refusal> {};
 TEST_P(RefusedStart, SaysWhyInOneLineAndExitsWithOne) {
   const Outcome run = runNode(GetParam().arguments);
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.errors.find(GetParam().line), std::string::npos) << run.errors;
-  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+  EXPECT_NE(run.out.find(GetParam().line), std::string::npos) << run.out;
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1) << run.out;
 }
 
 #define SCENE "_scene_file:=" RIGID_BODY_SIM_TEST_SCENE
@@ -100,8 +94,8 @@ wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}
 )");
   const Outcome run = runNode("_real_time_factor:=0 _scene_file:=" + scene);
   EXPECT_EQ(run.exit_code, 3);
-  EXPECT_NE(run.errors.find("body 'rocket'"), std::string::npos) << run.errors;
-  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+  EXPECT_NE(run.out.find("body 'rocket'"), std::string::npos) << run.out;
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1) << run.out;
 }
 
 TEST(Node, EndsCleanlyOnSigint) { EXPECT_EQ(exitCodeAfter(SIGINT), 0); }

@@ -8,6 +8,7 @@
 
 #include "conversions.hpp"
 #include "state_requests.hpp"
+#include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -38,11 +39,7 @@ class StateRequests : public ::testing::Test {
 world_frame: map
 time_step: 0.01
 bodies:
-  - name: box
-    mass: 2.0
-    inertia: {ixx: 1.0, iyy: 1.5, izz: 2.0, ixy: 0.1, ixz: -0.2, iyz: 0.05}
-    center_of_mass: [0.3, -0.2, 0.1]
-  - {name: other, shape: {sphere: {radius: 1}}, mass: 1}
+)" + test::kLopsidedBox + R"(  - {name: other, shape: {sphere: {radius: 1}}, mass: 1}
   - {name: post, shape: {sphere: {radius: 1}}, mass: 1, fixed: true}
 )",
                                  "test");

@@ -5,6 +5,7 @@
 
 #include "conversions.hpp"
 #include "static_frames.hpp"
+#include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -27,11 +28,7 @@ class StaticFramesTest : public ::testing::Test {
   const Scene scene = parseScene(R"(
 time_step: 0.01
 bodies:
-  - name: box
-    mass: 2.0
-    inertia: {ixx: 1.0, iyy: 1.5, izz: 2.0, ixy: 0.1, ixz: -0.2, iyz: 0.05}
-    center_of_mass: [0.3, -0.2, 0.1]
-    points: {tip: {position: [1, 0, 0], orientation: [0, 0, 0.6, 0.8]}}
+)" + test::kLopsidedBox + R"(    points: {tip: {position: [1, 0, 0], orientation: [0, 0, 0.6, 0.8]}}
   - {name: post, shape: {sphere: {radius: 1}}, mass: 1, position: [5, 0, 0], fixed: true}
 )",
                                  "test");

@@ -6,6 +6,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "support/lopsided_box.hpp"
 #include "wrench_intake.hpp"
 
 namespace rigid_body_sim {
@@ -53,11 +54,7 @@ class WrenchIntake : public ::testing::Test {
 world_frame: map
 time_step: 0.01
 bodies:
-  - name: box
-    mass: 2.0
-    inertia: {ixx: 1.0, iyy: 1.5, izz: 2.0, ixy: 0.1, ixz: -0.2, iyz: 0.05}
-    center_of_mass: [0.3, -0.2, 0.1]
-    position: [1, 2, 3]
+)" + test::kLopsidedBox + R"(    position: [1, 2, 3]
     orientation: [0.5, 0.5, 0.5, 0.5]
     points: {tip: {position: [1, 0, 0], orientation: [0, 0, 0.6, 0.8]}}
   - {name: other, shape: {sphere: {radius: 1}}, mass: 1}

@@ -14,6 +14,7 @@
 #include "support/mass_difference.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/mesh_texts.hpp"
+#include "support/run_command.hpp"
 #include "support/temporary_directory.hpp"
 #include "support/triangulations.hpp"
 
@@ -25,10 +26,8 @@ using ::testing::StartsWith;
 
 const std::string kConfig = RIGID_BODY_SIM_CONFIG;
 
-struct Outcome {
-  int exit_code = -1;
-  std::string out;    ///< standard output
-  std::string error;  ///< standard error
+struct Outcome : test::Outcome {
+  std::string error;  ///< what it wrote to standard error
 };
 
 class MassPropertiesProgram : public ::testing::Test {
@@ -38,16 +37,10 @@ class MassPropertiesProgram : public ::testing::Test {
     const std::string error_path = files_.path("error.txt");
     const std::string command =
         std::string(RIGID_BODY_SIM_MASS_PROPERTIES) + " " + arguments + " 2>" + error_path;
-    std::FILE* pipe = popen(command.c_str(), "r");
-    Outcome outcome;
-    std::array<char, 4096> block;
-    for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
-      outcome.out.append(block.data(), n);
-    outcome.exit_code = WEXITSTATUS(pclose(pipe));
+    const test::Outcome outcome = test::runCommand(command);
     std::ostringstream error;
     error << std::ifstream(error_path).rdbuf();
-    outcome.error = error.str();
-    return outcome;
+    return {outcome, error.str()};
   }
 
   /// The output of a run that must go well.

@@ -6,30 +6,21 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "support/run_command.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
-struct Outcome {
-  int exit_code;
-  std::string out;
-};
+using test::Outcome;
 
 /// Runs `simulate` with the arguments, one string as a shell takes it.
 Outcome simulate(const std::string& arguments) {
-  const std::string command = std::string(RIGID_BODY_SIM_SIMULATE) + " " + arguments;
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Outcome outcome{-1, ""};
-  char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
-    outcome.out.append(buffer, n);
-  outcome.exit_code = WEXITSTATUS(pclose(pipe));
-  return outcome;
+  return test::runCommand(std::string(RIGID_BODY_SIM_SIMULATE) + " " + arguments);
 }
 
 std::string scenePath(const std::string& name) {

@@ -12,6 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "support/run_command.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -21,20 +23,11 @@ const std::string kHeader =
     "integrator,time_step,attitude_error,position_error,energy_error,angular_momentum_error,"
     "cpu_ns_per_sim_s,force_evaluations";
 
-struct Outcome {
-  int exit_code;
-  std::string out;
-};
+using test::Outcome;
 
 /// Runs `trade` with the arguments, one string as a shell takes it.
 Outcome trade(const std::string& arguments, const std::string& environment = "") {
-  std::FILE* pipe = popen((environment + " " + kProgram + " " + arguments).c_str(), "r");
-  Outcome outcome{-1, ""};
-  char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
-    outcome.out.append(buffer, n);
-  outcome.exit_code = WEXITSTATUS(pclose(pipe));
-  return outcome;
+  return test::runCommand(environment + " " + kProgram + " " + arguments);
 }
 
 std::string newDirectory() {
