@@ -1,6 +1,7 @@
 # benchmark_peers: ours beside those engines that are installed. None of them is a dependency of the
 # package; Debian's packages: libboost-dev libbullet-dev libode-dev libdart-dev libsimbody-dev.
-add_executable(benchmark_peers test/benchmark/peers.cpp test/benchmark/peers_ours.cpp)
+add_executable(benchmark_peers
+  test/benchmark/peers.cpp test/benchmark/peers_engines.cpp test/benchmark/peers_ours.cpp)
 target_include_directories(benchmark_peers PRIVATE src test)
 target_link_libraries(benchmark_peers PRIVATE rigid_body_sim_core rigid_body_compile_options)
 

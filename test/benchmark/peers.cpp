@@ -16,27 +16,6 @@
 
 namespace rigid_body_sim::peers {
 
-double errorOf(const Run& run, const Problem& problem) {
-  // |q − p| and |q + p| are 2 sin and 2 cos of a quarter of the angle, at either sign of q
-  double minus = 0, plus = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    minus += std::pow(run.q[i] - problem.truth[i], 2);
-    plus += std::pow(run.q[i] + problem.truth[i], 2);
-  }
-  return 4 * std::atan(std::sqrt(std::min(minus, plus) / std::max(minus, plus)));
-}
-
-std::vector<Engine>& engines() {
-  static std::vector<Engine> all;
-  return all;
-}
-
-std::string label(const std::string& method, const char* what, double value) {
-  std::ostringstream text;
-  text << method << ", " << what << ' ' << value;
-  return text.str();
-}
-
 namespace {
 
 /// The cheapest run whose error stays within the target; null when there is none.
@@ -117,15 +96,22 @@ void compare(Problem problem, std::vector<Score>& scores) {
   std::fflush(stdout);
 }
 
+Motion turningAt(const Array3& w_P) {
+  Motion start;
+  start.w_P = w_P;
+  return start;
+}
+
 void run() {
   std::sort(engines().begin(), engines().end(),
             [](const Engine& a, const Engine& b) { return std::string(a.name) < b.name; });
   std::vector<Score> scores;
   for (const Engine& engine : engines()) scores.push_back({engine.name, 0, {}});
   const double Ix = 2. / 12 * (0.25 + 0.0625), Iy = 2. / 12 * (1 + 0.0625), Iz = 2. / 12 * 1.25;
-  compare({"A", 1, {1, 2, 3}, {0.5, 2, 0.3}, {}, {}, {}, 100}, scores);
-  compare({"B", 1, {1, 2, 3}, {1e-4, 5, 1e-4}, {}, {}, {}, 60}, scores);
-  compare({"C", 2, {Ix, Iy, Iz}, {}, {0, 0, -9.81}, {1, 2, 12}, {0.3, -0.1, 0.05}, 10}, scores);
+  compare({"A", 1, {1, 2, 3}, turningAt({0.5, 2, 0.3}), {}, {}, {}, {}, 100}, scores);
+  compare({"B", 1, {1, 2, 3}, turningAt({1e-4, 5, 1e-4}), {}, {}, {}, {}, 60}, scores);
+  const Array3 g_W{0, 0, -9.81}, force_W{1, 2, 12}, arm_P{0.3, -0.1, 0.05};
+  compare({"C", 2, {Ix, Iy, Iz}, {}, g_W, force_W, arm_P, {}, 10}, scores);
   std::printf("\n");
   for (const Score& score : scores) {
     std::printf("ahead of %s at %d of %zu;", score.name.c_str(), score.ahead, 3 * kTargets.size());

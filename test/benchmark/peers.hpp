@@ -9,22 +9,50 @@
 /// another instruction set, and inline functions of both would be mixed up.
 namespace rigid_body_sim::peers {
 
+using Array3 = std::array<double, 3>;
 using Quaternion4 = std::array<double, 4>;  // x y z w, unit
 
-/// One body that starts at rest in place, with its principal axes along the world's.
+/// Where a body is and how it moves, without Eigen.
+struct Motion {
+  Array3 x_W{};               ///< [m] centre of mass
+  Array3 v_W{};               ///< [m/s]
+  Quaternion4 q{0, 0, 0, 1};  ///< attitude of the principal axes
+  Array3 w_P{};               ///< [rad/s] principal axes
+};
+
+/// One body under gravity and one wrench, both constant.
 struct Problem {
   const char* name;
-  double mass;                    ///< [kg]
-  std::array<double, 3> I;        ///< [kg m²]
-  std::array<double, 3> w;        ///< [rad/s] at the start
-  std::array<double, 3> g_W;      ///< [m/s²]
-  std::array<double, 3> force_W;  ///< [N], constant
-  std::array<double, 3> arm_P;    ///< [m] where the force acts, fixed in the body
-  double duration;                ///< [s]
-  Quaternion4 truth{};            ///< attitude at the end
+  double mass;  ///< [kg]
+  Array3 I;     ///< [kg m²]
+  Motion start;
+  Array3 g_W{};         ///< [m/s²]
+  Array3 force_W{};     ///< [N]
+  Array3 arm_P{};       ///< [m] where the force acts, fixed in the body
+  Array3 torque_W{};    ///< [N m] a free couple
+  double duration = 0;  ///< [s]
+  Quaternion4 truth{};  ///< attitude at the end
 
-  bool isPushed() const { return force_W != std::array<double, 3>{}; }
+  bool isTwisted() const { return torque_W != Array3{}; }
+  bool isPushed() const { return force_W != Array3{} || isTwisted(); }
 };
+
+/// From body axes, whose attitude is q.
+inline Array3 inWorldAxes(const Quaternion4& q, const Array3& v) {
+  const auto cross = [](const Array3& a, const Array3& b) {
+    return Array3{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const Array3 u{q[0], q[1], q[2]};
+  const Array3 t = cross(u, v), s = cross(u, t);
+  Array3 turned{};
+  for (std::size_t i = 0; i < 3; ++i) turned[i] = v[i] + 2 * (q[3] * t[i] + s[i]);
+  return turned;
+}
+
+/// The way back.
+inline Array3 inBodyAxes(const Quaternion4& q, const Array3& v) {
+  return inWorldAxes({-q[0], -q[1], -q[2], q[3]}, v);
+}
 
 /// A run: what it took and where it ended.
 struct Run {
@@ -39,9 +67,16 @@ double errorOf(const Run& run, const Problem& problem);
 /// Attitude errors [rad] whose cost is asked for.
 constexpr std::array<double, 4> kTargets{1e-2, 1e-4, 1e-6, 1e-9};
 
+/// What an engine can be set to, where the steps are given.
+struct Stepper {
+  const char* name;
+  Motion (*end)(const Problem&, double h, int steps);  ///< h [s]
+};
+
 struct Engine {
   const char* name;
   std::vector<Run> (*runs)(const Problem&);  ///< over ladders of all that it can be set to
+  std::vector<Stepper> steppers;             ///< the best of it
 };
 
 /// All that are linked in.

@@ -1,3 +1,4 @@
+#include <limits>
 #include <memory>
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
@@ -13,9 +14,19 @@
 namespace rigid_body_sim::peers {
 namespace {
 
-btVector3 vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+btVector3 vector(const Array3& v) { return {v[0], v[1], v[2]}; }
 
-Quaternion4 coefficients(const btQuaternion& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+btQuaternion quaternion(const Quaternion4& q) { return {q[0], q[1], q[2], q[3]}; }
+
+Array3 array(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+Motion motionOf(const btVector3& x_W, const btVector3& v_W, const btQuaternion& q,
+                const btVector3& w_W) {
+  const Quaternion4 attitude{q.x(), q.y(), q.z(), q.w()};
+  return {array(x_W), array(v_W), attitude, inBodyAxes(attitude, array(w_W))};
+}
+
+btVector3 spinOf(const Motion& m) { return vector(inWorldAxes(m.q, m.w_P)); }
 
 struct Parts {
   btDefaultCollisionConfiguration configuration;
@@ -31,7 +42,10 @@ class RigidBodyWorld {
     body_.setFlags(gyroscopic);
     body_.setDamping(0, 0);
     body_.setActivationState(DISABLE_DEACTIVATION);
-    body_.setAngularVelocity(vector(problem.w));
+    const Motion& start = problem.start;
+    body_.setCenterOfMassTransform(btTransform(quaternion(start.q), vector(start.x_W)));
+    body_.setLinearVelocity(vector(start.v_W));
+    body_.setAngularVelocity(spinOf(start));
     world_.addRigidBody(&body_, 0, 0);
   }
   ~RigidBodyWorld() { world_.removeRigidBody(&body_); }
@@ -42,10 +56,14 @@ class RigidBodyWorld {
     if (problem_.isPushed())
       body_.applyForce(vector(problem_.force_W),
                        body_.getWorldTransform().getBasis() * vector(problem_.arm_P));
+    if (problem_.isTwisted()) body_.applyTorque(vector(problem_.torque_W));
     world_.stepSimulation(h_, 0);
   }
 
-  Quaternion4 attitude() const { return coefficients(body_.getOrientation()); }
+  Motion motion() const {
+    return motionOf(body_.getCenterOfMassPosition(), body_.getLinearVelocity(),
+                    body_.getOrientation(), body_.getAngularVelocity());
+  }
 
  private:
   const Problem& problem_;
@@ -66,9 +84,13 @@ class MultiBodyWorld {
     body_.useRK4Integration(true);
     body_.setLinearDamping(0);
     body_.setAngularDamping(0);
-    body_.setMaxCoordinateVelocity(1e30);
+    body_.setMaxCoordinateVelocity(std::numeric_limits<double>::max());
     body_.finalizeMultiDof();
-    body_.setBaseOmega(vector(problem.w));
+    const Motion& start = problem.start;
+    body_.setBasePos(vector(start.x_W));
+    body_.setWorldToBaseRot(quaternion(start.q).inverse());
+    body_.setBaseVel(vector(start.v_W));
+    body_.setBaseOmega(spinOf(start));
     world_.addMultiBody(&body_);
   }
   ~MultiBodyWorld() { world_.removeMultiBody(&body_); }
@@ -80,13 +102,16 @@ class MultiBodyWorld {
       const btVector3 force = vector(problem_.force_W);
       const btVector3 arm_W = body_.localDirToWorld(-1, vector(problem_.arm_P));
       body_.addBaseForce(force);
-      body_.addBaseTorque(arm_W.cross(force));
+      body_.addBaseTorque(arm_W.cross(force) + vector(problem_.torque_W));
     }
     world_.stepSimulation(h_, 0);
   }
 
   /// The base keeps the rotation from the world to it.
-  Quaternion4 attitude() const { return coefficients(body_.getWorldToBaseRot().inverse()); }
+  Motion motion() const {
+    return motionOf(body_.getBasePos(), body_.getBaseVel(), body_.getWorldToBaseRot().inverse(),
+                    body_.getBaseOmega());
+  }
 
  private:
   const Problem& problem_;
@@ -116,7 +141,17 @@ std::vector<Run> bulletRuns(const Problem& problem) {
   return runs;
 }
 
-const Registration kBullet({"Bullet", bulletRuns});
+Motion rigidBodyEnd(const Problem& problem, double h, int steps) {
+  return endOf(RigidBodyWorld(problem, h, BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY), steps);
+}
+
+Motion multiBodyEnd(const Problem& problem, double h, int steps) {
+  return endOf(MultiBodyWorld(problem, h), steps);
+}
+
+const Registration kBullet({"Bullet",
+                            bulletRuns,
+                            {{"Bullet", rigidBodyEnd}, {"Bullet RK4", multiBodyEnd}}});
 
 }  // namespace
 }  // namespace rigid_body_sim::peers

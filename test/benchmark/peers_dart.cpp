@@ -13,7 +13,9 @@
 namespace rigid_body_sim::peers {
 namespace {
 
-Eigen::Vector3d vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+Eigen::Vector3d vector(const Array3& v) { return {v[0], v[1], v[2]}; }
+
+Array3 array(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 class DartWorld {
  public:
@@ -24,7 +26,12 @@ class DartWorld {
     body_ = made.second;
     const auto& I = problem.I;
     body_->setInertia({problem.mass, Eigen::Vector3d::Zero(), vector(I).asDiagonal()});
-    made.first->setAngularVelocity(vector(problem.w));
+    const Motion& start = problem.start;
+    Eigen::Isometry3d pose(Eigen::Quaterniond(start.q.data()));  // x y z w
+    pose.translation() = vector(start.x_W);
+    made.first->setTransform(pose);
+    made.first->setLinearVelocity(vector(start.v_W));
+    made.first->setAngularVelocity(vector(inWorldAxes(start.q, start.w_P)));
     world_->setGravity(vector(problem.g_W));
     world_->setTimeStep(h);
     world_->addSkeleton(skeleton);
@@ -33,12 +40,15 @@ class DartWorld {
   void step() {
     if (problem_.isPushed())
       body_->addExtForce(vector(problem_.force_W), vector(problem_.arm_P), false, true);
+    if (problem_.isTwisted()) body_->addExtTorque(vector(problem_.torque_W), false);
     world_->step();
   }
 
-  Quaternion4 attitude() const {
+  Motion motion() const {
     const Eigen::Quaterniond q(body_->getWorldTransform().linear());
-    return {q.x(), q.y(), q.z(), q.w()};
+    const Quaternion4 attitude{q.x(), q.y(), q.z(), q.w()};
+    return {array(body_->getCOM()), array(body_->getCOMLinearVelocity()), attitude,
+            inBodyAxes(attitude, array(body_->getAngularVelocity()))};
   }
 
  private:
@@ -54,7 +64,11 @@ std::vector<Run> dartRuns(const Problem& problem) {
       [&](double h) { return std::make_unique<DartWorld>(problem, h); }, kLongest);
 }
 
-const Registration kDart({"DART", dartRuns});
+Motion dartEnd(const Problem& problem, double h, int steps) {
+  return endOf(DartWorld(problem, h), steps);
+}
+
+const Registration kDart({"DART", dartRuns, {{"DART", dartEnd}}});
 
 }  // namespace
 }  // namespace rigid_body_sim::peers

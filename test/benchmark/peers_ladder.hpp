@@ -27,14 +27,21 @@ Run timedRun(const std::string& setting, const Make& make, const Execute& execut
     execute(*start);
     const double seconds = cpuTime() - begin;
     run.seconds = std::min(run.seconds, seconds);
-    run.q = start->attitude();
+    run.q = start->motion().q;
     sum += seconds;
   }
   return run;
 }
 
+/// Where a world is after so many steps.
+template <class World>
+Motion endOf(World&& world, int steps) {
+  for (int i = 0; i < steps; ++i) world.step();
+  return world.motion();
+}
+
 /// Runs of an engine that is stepped from outside: make(h) returns a pointer to a new world with
-/// step() and attitude(). Steps from the longest [s] down to 1e-4 s, and to 1e-5 s where a method
+/// step() and motion(). Steps from the longest [s] down to 1e-4 s, and to 1e-5 s where a method
 /// of first order could then come within the next target.
 template <class Make>
 std::vector<Run> steppedRuns(const std::string& name, const Problem& problem, const Make& make,

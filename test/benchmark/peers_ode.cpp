@@ -10,6 +10,8 @@
 namespace rigid_body_sim::peers {
 namespace {
 
+Array3 array(const dReal* v) { return {v[0], v[1], v[2]}; }
+
 using Step = int (*)(dWorldID, dReal);
 
 class OdeWorld {
@@ -20,13 +22,19 @@ class OdeWorld {
         step_(stepper),
         world_(dWorldCreate()),
         body_(dBodyCreate(world_)) {
-    const auto &g = problem.g_W, &w = problem.w, &I = problem.I;
+    const auto &g = problem.g_W, &I = problem.I;
+    const Motion& start = problem.start;
+    const auto &x = start.x_W, &v = start.v_W, w = inWorldAxes(start.q, start.w_P);
     dWorldSetGravity(world_, g[0], g[1], g[2]);
     dMass mass;
     dMassSetParameters(&mass, problem.mass, 0, 0, 0, I[0], I[1], I[2], 0, 0, 0);
     dBodySetMass(body_, &mass);
     dBodySetGyroscopicMode(body_, 1);
     dBodySetFiniteRotationMode(body_, 1);
+    const dQuaternion q{start.q[3], start.q[0], start.q[1], start.q[2]};
+    dBodySetPosition(body_, x[0], x[1], x[2]);
+    dBodySetQuaternion(body_, q);
+    dBodySetLinearVel(body_, v[0], v[1], v[2]);
     dBodySetAngularVel(body_, w[0], w[1], w[2]);
   }
   ~OdeWorld() { dWorldDestroy(world_); }
@@ -34,14 +42,17 @@ class OdeWorld {
   OdeWorld& operator=(const OdeWorld&) = delete;
 
   void step() {
-    const auto &f = problem_.force_W, &p = problem_.arm_P;
+    const auto &f = problem_.force_W, &p = problem_.arm_P, &tau = problem_.torque_W;
     if (problem_.isPushed()) dBodyAddForceAtRelPos(body_, f[0], f[1], f[2], p[0], p[1], p[2]);
+    if (problem_.isTwisted()) dBodyAddTorque(body_, tau[0], tau[1], tau[2]);
     step_(world_, h_);
   }
 
-  Quaternion4 attitude() const {
+  Motion motion() const {
     const dReal* q = dBodyGetQuaternion(body_);
-    return {q[1], q[2], q[3], q[0]};
+    const Quaternion4 attitude{q[1], q[2], q[3], q[0]};
+    return {array(dBodyGetPosition(body_)), array(dBodyGetLinearVel(body_)), attitude,
+            inBodyAxes(attitude, array(dBodyGetAngularVel(body_)))};
   }
 
  private:
@@ -66,7 +77,14 @@ std::vector<Run> odeRuns(const Problem& problem) {
   return runs;
 }
 
-const Registration kOde({"ODE", odeRuns});
+Motion odeEnd(const Problem& problem, double h, int steps) {
+  dInitODE2(0);
+  const Motion end = endOf(OdeWorld(problem, h, dWorldStep), steps);
+  dCloseODE();
+  return end;
+}
+
+const Registration kOde({"ODE", odeRuns, {{"ODE", odeEnd}}});
 
 }  // namespace
 }  // namespace rigid_body_sim::peers

@@ -14,6 +14,7 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using State = std::array<double, 13>;  // x, v, q (x y z w), ω
 
+template <bool kTwisted>
 struct RightHandSide {
   const Problem& p;
 
@@ -21,13 +22,15 @@ struct RightHandSide {
     const double x = s[6], y = s[7], z = s[8], w = s[9];
     const double a = s[10], b = s[11], c = s[12];
     const auto& F = p.force_W;
-    // the force in body axes: Rᵀ F
-    const double fx =
-        (1 - 2 * (y * y + z * z)) * F[0] + 2 * (x * y + w * z) * F[1] + 2 * (x * z - w * y) * F[2];
-    const double fy =
-        2 * (x * y - w * z) * F[0] + (1 - 2 * (x * x + z * z)) * F[1] + 2 * (y * z + w * x) * F[2];
-    const double fz =
-        2 * (x * z + w * y) * F[0] + 2 * (y * z - w * x) * F[1] + (1 - 2 * (x * x + y * y)) * F[2];
+    const auto fromWorldAxes = [&](const Array3& v) -> Array3 {  // Rᵀ v
+      return {(1 - 2 * (y * y + z * z)) * v[0] + 2 * (x * y + w * z) * v[1] +
+                  2 * (x * z - w * y) * v[2],
+              2 * (x * y - w * z) * v[0] + (1 - 2 * (x * x + z * z)) * v[1] +
+                  2 * (y * z + w * x) * v[2],
+              2 * (x * z + w * y) * v[0] + 2 * (y * z - w * x) * v[1] +
+                  (1 - 2 * (x * x + y * y)) * v[2]};
+    };
+    const auto [fx, fy, fz] = fromWorldAxes(F);
     for (std::size_t i = 0; i < 3; ++i) {
       d[i] = s[3 + i];
       d[3 + i] = p.g_W[i] + F[i] / p.mass;
@@ -39,23 +42,40 @@ struct RightHandSide {
     d[10] = (p.arm_P[1] * fz - p.arm_P[2] * fy - (p.I[2] - p.I[1]) * b * c) / p.I[0];
     d[11] = (p.arm_P[2] * fx - p.arm_P[0] * fz - (p.I[0] - p.I[2]) * c * a) / p.I[1];
     d[12] = (p.arm_P[0] * fy - p.arm_P[1] * fx - (p.I[1] - p.I[0]) * a * b) / p.I[2];
+    if constexpr (kTwisted) {
+      const Array3 tau = fromWorldAxes(p.torque_W);
+      for (std::size_t i = 0; i < 3; ++i) d[10 + i] += tau[i] / p.I[i];
+    }
   }
 };
+
+State stateOf(const Motion& m) {
+  State s{};
+  std::copy(m.x_W.begin(), m.x_W.end(), s.begin());
+  std::copy(m.v_W.begin(), m.v_W.end(), s.begin() + 3);
+  std::copy(m.q.begin(), m.q.end(), s.begin() + 6);
+  std::copy(m.w_P.begin(), m.w_P.end(), s.begin() + 10);
+  return s;
+}
+
+Motion motionOf(const State& s) {
+  const double norm = std::sqrt(s[6] * s[6] + s[7] * s[7] + s[8] * s[8] + s[9] * s[9]);
+  return {{s[0], s[1], s[2]},
+          {s[3], s[4], s[5]},
+          {s[6] / norm, s[7] / norm, s[8] / norm, s[9] / norm},
+          {s[10], s[11], s[12]}};
+}
 
 template <class Integrate>
 Run timed(const Problem& problem, const std::string& setting, const Integrate& integrate) {
   constexpr double kBudget = 0.01;  // [s]
-  State start{};
-  start[9] = 1;
-  std::copy(problem.w.begin(), problem.w.end(), start.begin() + 10);
   Run run;
   run.setting = setting;
   run.seconds = leastCpuTime(
-      start,
+      stateOf(problem.start),
       [&](State& s) {
         integrate(s);
-        const double norm = std::sqrt(s[6] * s[6] + s[7] * s[7] + s[8] * s[8] + s[9] * s[9]);
-        run.q = {s[6] / norm, s[7] / norm, s[8] / norm, s[9] / norm};
+        run.q = motionOf(s).q;
       },
       kBudget);
   return run;
@@ -64,7 +84,7 @@ Run timed(const Problem& problem, const std::string& setting, const Integrate& i
 template <class Stepper>
 void addFixed(const char* name, const Problem& problem, std::vector<Run>& runs) {
   constexpr double kLongest = 0.02;  // [s] beyond it nothing competes
-  const RightHandSide rhs{problem};
+  const RightHandSide<false> rhs{problem};
   for (double steps = 32; steps < 1e6; steps = std::round(1.2 * steps)) {
     const double h = problem.duration / steps;
     runs.push_back(timed(problem, label(name, "h", h), [&](State& s) {
@@ -77,7 +97,7 @@ void addFixed(const char* name, const Problem& problem, std::vector<Run>& runs) 
 template <class MakeStepper>
 void addControlled(const char* name, const Problem& problem, const MakeStepper& make,
                    std::vector<Run>& runs) {
-  const RightHandSide rhs{problem};
+  const RightHandSide<false> rhs{problem};
   for (double tolerance = 1e-2; tolerance > 1e-15; tolerance /= 2)
     runs.push_back(timed(problem, label(name, "tolerance", tolerance), [&](State& s) {
       odeint::integrate_adaptive(make(tolerance), rhs, s, 0.0, problem.duration, 0.05);
@@ -103,7 +123,14 @@ std::vector<Run> odeintRuns(const Problem& problem) {
   return runs;
 }
 
-const Registration kOdeint({"odeint", odeintRuns});
+Motion rk4End(const Problem& problem, double h, int steps) {
+  State s = stateOf(problem.start);
+  odeint::integrate_n_steps(odeint::runge_kutta4<State>(), RightHandSide<true>{problem}, s, 0.0, h,
+                            static_cast<std::size_t>(steps));
+  return motionOf(s);
+}
+
+const Registration kOdeint({"odeint", odeintRuns, {{"odeint rk4", rk4End}}});
 
 }  // namespace
 }  // namespace rigid_body_sim::peers

@@ -19,13 +19,17 @@ Body bodyOf(const Problem& p) {
 /// The problem's axes need not ascend; P is the body's own sorted frame.
 BodyState startOf(const Problem& p, const Body& body) {
   BodyFrameMotion motion;
-  motion.w_W = vector(p.w);
+  motion.x_W = vector(p.start.x_W);
+  motion.v_W = vector(p.start.v_W);
+  motion.q_WB = Quaterniond(p.start.q.data());  // x y z w, as Eigen keeps them
+  motion.w_W = motion.q_WB * vector(p.start.w_P);
   return toBodyState(body, motion);
 }
 
 PointWrench pushOf(const Problem& p, const Body& body) {
   PointWrench push;
   push.force = vector(p.force_W);
+  push.torque = vector(p.torque_W);
   push.point = body.X_BP.inverse() * vector(p.arm_P);
   return push;
 }

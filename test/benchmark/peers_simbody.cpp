@@ -10,12 +10,14 @@
 namespace rigid_body_sim::peers {
 namespace {
 
-SimTK::Vec3 vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+SimTK::Vec3 vector(const Array3& v) { return {v[0], v[1], v[2]}; }
+
+Array3 array(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
 
 template <class Integrator>
 class SimbodyWorld {
  public:
-  SimbodyWorld(const Problem& problem, double accuracy)
+  explicit SimbodyWorld(const Problem& problem)
       : body_(matter_.Ground(), SimTK::Body::Rigid(SimTK::MassProperties(
                                     problem.mass, SimTK::Vec3(0),
                                     SimTK::Inertia(problem.I[0], problem.I[1], problem.I[2])))),
@@ -24,25 +26,40 @@ class SimbodyWorld {
     if (g.norm() > 0) SimTK::Force::UniformGravity(forces_, matter_, g);
     if (problem.isPushed())
       SimTK::Force::ConstantForce(forces_, body_, vector(problem.arm_P), vector(problem.force_W));
-    SimTK::State state = system_.realizeTopology();
-    body_.setUToFitAngularVelocity(state, vector(problem.w));
+    if (problem.isTwisted()) SimTK::Force::ConstantTorque(forces_, body_, vector(problem.torque_W));
+    start_ = system_.realizeTopology();
+    const Motion& start = problem.start;
+    const SimTK::Quaternion q(start.q[3], start.q[0], start.q[1], start.q[2]);
+    body_.setQToFitTransform(start_, {SimTK::Rotation(q), vector(start.x_W)});
+    body_.setUToFitLinearVelocity(start_, vector(start.v_W));
+    body_.setUToFitAngularVelocity(start_, vector(inWorldAxes(start.q, start.w_P)));
+  }
+
+  void setAccuracy(double accuracy) {
     integrator_.setAccuracy(accuracy);
-    integrator_.initialize(state);
+    integrator_.initialize(start_);
+  }
+
+  void setStep(double h) {
+    integrator_.setFixedStepSize(h);
+    integrator_.initialize(start_);
   }
 
   /// Reports are interpolated and cost next to nothing; CPODES takes at most 500 steps for each.
   void run(double duration) {
-    constexpr double kReport = 0.5;  // [s]
+    const double report = std::max(0.5, duration / 1000);  // [s]
     while (integrator_.getTime() < duration)
-      integrator_.stepTo(std::min(integrator_.getTime() + kReport, duration), duration);
+      integrator_.stepTo(std::min(integrator_.getTime() + report, duration), duration);
   }
 
-  Quaternion4 attitude() const {
+  Motion motion() const {
     const SimTK::State& state = integrator_.getState();
-    system_.realize(state, SimTK::Stage::Position);
+    system_.realize(state, SimTK::Stage::Velocity);
     const SimTK::Vec4 q =
         body_.getBodyRotation(state).convertRotationToQuaternion().asVec4();  // w first
-    return {q[1], q[2], q[3], q[0]};
+    const Quaternion4 attitude{q[1], q[2], q[3], q[0]};
+    return {array(body_.getBodyOriginLocation(state)), array(body_.getBodyOriginVelocity(state)),
+            attitude, inBodyAxes(attitude, array(body_.getBodyAngularVelocity(state)))};
   }
 
  private:
@@ -51,6 +68,7 @@ class SimbodyWorld {
   SimTK::GeneralForceSubsystem forces_{system_};
   SimTK::MobilizedBody::Free body_;
   Integrator integrator_;
+  SimTK::State start_;
 };
 
 template <class Integrator>
@@ -61,7 +79,11 @@ void addLadder(const char* name, const Problem& problem, std::vector<Run>& runs)
     try {
       runs.push_back(timedRun(
           label(name, "accuracy", accuracy),
-          [&] { return std::make_unique<SimbodyWorld<Integrator>>(problem, accuracy); },
+          [&] {
+            auto world = std::make_unique<SimbodyWorld<Integrator>>(problem);
+            world->setAccuracy(accuracy);
+            return world;
+          },
           [&](auto& world) { world.run(problem.duration); }));
     } catch (const std::exception&) {
       break;  // it cannot be had so accurate
@@ -79,7 +101,26 @@ std::vector<Run> simbodyRuns(const Problem& problem) {
   return runs;
 }
 
-const Registration kSimbody({"Simbody", simbodyRuns});
+using MersonWorld = SimbodyWorld<SimTK::RungeKuttaMersonIntegrator>;
+
+Motion fixedStepEnd(const Problem& problem, double h, int steps) {
+  MersonWorld world(problem);
+  world.setStep(h);
+  world.run(h * steps);
+  return world.motion();
+}
+
+/// In steps of its own.
+Motion accurateEnd(const Problem& problem, double h, int steps) {
+  MersonWorld world(problem);
+  world.setAccuracy(1e-9);
+  world.run(h * steps);
+  return world.motion();
+}
+
+const Registration kSimbody({"Simbody",
+                             simbodyRuns,
+                             {{"Simbody", fixedStepEnd}, {"Simbody 1e-9", accurateEnd}}});
 
 }  // namespace
 }  // namespace rigid_body_sim::peers
