@@ -184,3 +184,9 @@ rigid_body_gtest(test_extremes
   SOURCES
     test/extremes/test_extremes.cpp
   LIBRARIES rigid_body_extremes)
+
+rigid_body_gtest(test_apart
+  SOURCES
+    test/extremes/apart.cpp
+    test/extremes/test_apart.cpp
+  LIBRARIES rigid_body_compile_options)

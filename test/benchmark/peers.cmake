@@ -1,16 +1,23 @@
-# benchmark_peers: ours beside those engines that are installed. None of them is a dependency of the
-# package; Debian's packages: libboost-dev libbullet-dev libode-dev libdart-dev libsimbody-dev.
+# benchmark_peers: ours beside those engines that are installed; extremes_engines: they in the cells
+# of the map of the extremes. None of them is a dependency of the package; Debian's packages:
+# libboost-dev libbullet-dev libode-dev libdart-dev libsimbody-dev.
 add_executable(benchmark_peers
   test/benchmark/peers.cpp test/benchmark/peers_engines.cpp test/benchmark/peers_ours.cpp)
 target_include_directories(benchmark_peers PRIVATE src test)
 target_link_libraries(benchmark_peers PRIVATE rigid_body_sim_core rigid_body_compile_options)
+add_executable(extremes_engines
+  test/benchmark/peers_engines.cpp test/extremes/apart.cpp test/extremes/engines.cpp)
+target_include_directories(extremes_engines PRIVATE src)
+target_link_libraries(extremes_engines PRIVATE rigid_body_extremes rigid_body_compile_options)
 
 function(rigid_body_peer name)
   cmake_parse_arguments(ARG "" "" "INCLUDES;LIBRARIES" ${ARGN})
   message(STATUS "benchmark_peers: with ${name}")
-  target_sources(benchmark_peers PRIVATE test/benchmark/peers_${name}.cpp)
-  target_include_directories(benchmark_peers SYSTEM PRIVATE ${ARG_INCLUDES})
-  target_link_libraries(benchmark_peers PRIVATE ${ARG_LIBRARIES})
+  foreach(program benchmark_peers extremes_engines)
+    target_sources(${program} PRIVATE test/benchmark/peers_${name}.cpp)
+    target_include_directories(${program} SYSTEM PRIVATE ${ARG_INCLUDES})
+    target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES})
+  endforeach()
 endfunction()
 
 find_package(Boost QUIET)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,8 +39,13 @@ struct Ends {
   reference::Motions motions;
 };
 
-/// Runs a bench by one row and compares its end with the truth.
+/// Runs a bench by one row and compares its end with the truth; by what stands among the others
+/// under that name, if any.
 Cell measure(Cell cell, const test::Bench& bench, const Run& run, const Ends& truth);
+
+/// Those that take the place of a row without being of the catalogue, by name.
+using Measure = std::function<Cell(const Cell&, const test::Bench&, const Run&, const Ends&)>;
+std::map<std::string, Measure>& others();
 
 /// The same by each row.
 void measureAll(const Cell& cell, const Names& rows, const test::Bench& bench, const Run& run,

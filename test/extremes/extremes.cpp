@@ -4,6 +4,7 @@
 #include <functional>
 #include <iostream>
 
+#include "cell_lines.hpp"
 #include "sections.hpp"
 
 // Prints the map of the extremes as CSV, a line a cell: scripts/extremes makes a document of it.
@@ -18,53 +19,18 @@ const Names kLawRows{"auto", "semi_implicit_euler", "strang",    "magnus4",
                      "rk4",  "blanes_moan6",        "kahan_li8", "dop853"};
 const Names kFewRows{"auto", "strang", "rk4", "dop853"};
 
-/// Returns whether every cell says something: errors that are numbers, or what stopped the run.
-bool print(const Cells& cells) {
-  bool complete = true;
-  for (const Cell& c : cells) {
-    std::string said = c.said;
-    for (char& letter : said)
-      if (letter == '"') letter = '\'';
-    std::printf("%s,%s,\"%s\",%.2g,%.2g,%.2g,%.2g,\"%s\",\"%s\"\n", c.section.c_str(),
-                c.setting.c_str(), c.row.c_str(), c.attitude, c.position, c.energy,
-                c.angular_momentum, said.c_str(), c.warned.c_str());
-    if (!c.said.empty() || (c.finite() && c.section != "refused")) continue;
-    std::fprintf(stderr, "empty cell: %s %s %s\n", c.section.c_str(), c.setting.c_str(),
-                 c.row.c_str());
-    complete = false;
-  }
-  std::fflush(stdout);
-  return complete;
-}
-
 using Section = std::function<Cells()>;
 
 /// All sections by name; those that name no row run by all that accept what they hold.
 std::vector<std::pair<std::string, Section>> sections() {
   std::vector<std::pair<std::string, Section>> named;
-  const auto add = [&](const char* name, const std::function<Cells(const Names&)>& section,
+  const auto add = [&](const std::string& name, const std::function<Cells(const Names&)>& section,
                        const Names& rows) {
-    named.emplace_back(name, [=] { return section(rows); });
+    named.emplace_back(name, [section, rows] { return section(rows); });
   };
-  add("needle", needles, kFreeRows);
-  add("plate", plates, kFreeRows);
-  add("sphere", nearSpheres, kFreeRows);
-  add("two_equal", nearlySymmetric, kFreeRows);
-  add(
-      "spin", [](const Names& rows) { return spins(rows); }, kFreeRows);
-  add("step", steps, kFreeRows);
-  add(
-      "turn", [](const Names& rows) { return turns(rows); }, kFreeRows);
-  add("separatrix", separatrix, kFreeRows);
-  add("position", positions, kFreeRows);
-  add("mass", masses, kFreeRows);
-  add("force", centralForces, kFreeRows);
-  add(
-      "lever", [](const Names& rows) { return offCentreForces(rows); }, kFreeRows);
+  for (const auto& [name, section] : oneBodySections()) add(name, section, kFreeRows);
   add("conflict", conflicts, kFreeRows);
-  add("arm", arms, kFreeRows);
   add("far_pull", farPulls, kFreeRows);
-  add("through_zero", throughZero, kFreeRows);
   add(
       "spring", [](const Names& rows) { return springs(rows); }, kLawRows);
   named.emplace_back("tolerance", tolerances);

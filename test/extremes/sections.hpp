@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 #include "cell.hpp"
 
@@ -40,6 +42,10 @@ Cells springs(const Names& rows, const Sizes& sizes = kStiffnesses);
 Cells tolerances();
 Cells crowds(const Names& rows, std::size_t bodies);
 Cells schedules(const Names& rows, int entries);
+
+/// Those of one body under one wrench, in which an engine can take part like any row.
+using NamedSection = std::pair<std::string, std::function<Cells(const Names&)>>;
+std::vector<NamedSection> oneBodySections();
 
 /// What the reader of scenes refuses, and how it says so.
 Cells refusals();
