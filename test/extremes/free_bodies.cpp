@@ -93,12 +93,12 @@ Cells turns(const Names& rows, const Sizes& sizes) {
 }
 
 Cells separatrix(const Names& rows) {
-  // m₁² I21/I1 = m₃² I32/I3, in numbers of few bits: exactly. What is off grows e^(5.5 t/s).
+  // m₁² I21/I1 = m₃² I32/I3, in numbers of few bits: exactly. What is off grows e^(5.3 t/s).
   Cells cells;
   for (double off : {0.0, 1e-15, 1e-9, 1e-3}) {
-    test::Bench bench = spinning({0.25, 0.625, 1}, kDirection);
+    test::Bench bench = spinning({0.375, 0.75, 1}, kDirection);
     BodyState& start = bench.initial.bodies[0];
-    start.L_P = {1 + off, -4, 2};
+    start.L_P = {1.75 + off, -7, 3.5};
     start.L_W = rotate(start.q_WP, start.L_P);
     measureFree({"separatrix", settingText(off), ""}, rows, bench, {5e-3, 1000}, cells,
                 Truth::quad_series);
