@@ -108,10 +108,10 @@ void run() {
   std::vector<Score> scores;
   for (const Engine& engine : engines()) scores.push_back({engine.name, 0, {}});
   const double Ix = 2. / 12 * (0.25 + 0.0625), Iy = 2. / 12 * (1 + 0.0625), Iz = 2. / 12 * 1.25;
-  compare({"A", 1, {1, 2, 3}, turningAt({0.5, 2, 0.3}), {}, {}, {}, {}, 100}, scores);
-  compare({"B", 1, {1, 2, 3}, turningAt({1e-4, 5, 1e-4}), {}, {}, {}, {}, 60}, scores);
+  compare({"A", 1, {1, 2, 3}, turningAt({0.5, 2, 0.3}), {}, {}, {}, 100}, scores);
+  compare({"B", 1, {1, 2, 3}, turningAt({1e-4, 5, 1e-4}), {}, {}, {}, 60}, scores);
   const Array3 g_W{0, 0, -9.81}, force_W{1, 2, 12}, arm_P{0.3, -0.1, 0.05};
-  compare({"C", 2, {Ix, Iy, Iz}, {}, g_W, force_W, arm_P, {}, 10}, scores);
+  compare({"C", 2, {Ix, Iy, Iz}, {}, g_W, force_W, arm_P, 10}, scores);
   std::printf("\n");
   for (const Score& score : scores) {
     std::printf("ahead of %s at %d of %zu;", score.name.c_str(), score.ahead, 3 * kTargets.size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,14 @@ struct Motion {
   Array3 w_P{};               ///< [rad/s] principal axes
 };
 
-/// One body under gravity and one wrench, both constant.
+/// A force on a body, or a couple.
+struct Pull {
+  Array3 force_W{};   ///< [N]
+  Array3 arm_P{};     ///< [m] where the force acts, seen from the centre of mass
+  Array3 torque_W{};  ///< [N m]
+};
+
+/// One body under gravity, a constant force, and pulls.
 struct Problem {
   const char* name;
   double mass;  ///< [kg]
@@ -29,12 +37,13 @@ struct Problem {
   Array3 g_W{};         ///< [m/s²]
   Array3 force_W{};     ///< [N]
   Array3 arm_P{};       ///< [m] where the force acts, fixed in the body
-  Array3 torque_W{};    ///< [N m] a free couple
   double duration = 0;  ///< [s]
   Quaternion4 truth{};  ///< attitude at the end
 
-  bool isTwisted() const { return torque_W != Array3{}; }
-  bool isPushed() const { return force_W != Array3{} || isTwisted(); }
+  /// What else acts, asked for in each step, or at every stage where an engine can. Mostly nothing.
+  std::function<std::vector<Pull>(const Motion&)> pulls{};
+
+  bool isPushed() const { return force_W != Array3{}; }
 };
 
 /// From body axes, whose attitude is q.

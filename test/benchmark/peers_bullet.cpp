@@ -53,10 +53,9 @@ class RigidBodyWorld {
   RigidBodyWorld& operator=(const RigidBodyWorld&) = delete;
 
   void step() {
-    if (problem_.isPushed())
-      body_.applyForce(vector(problem_.force_W),
-                       body_.getWorldTransform().getBasis() * vector(problem_.arm_P));
-    if (problem_.isTwisted()) body_.applyTorque(vector(problem_.torque_W));
+    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
+    if (problem_.pulls)
+      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
     world_.stepSimulation(h_, 0);
   }
 
@@ -66,6 +65,12 @@ class RigidBodyWorld {
   }
 
  private:
+  void apply(const Pull& pull) {
+    body_.applyForce(vector(pull.force_W),
+                     body_.getWorldTransform().getBasis() * vector(pull.arm_P));
+    body_.applyTorque(vector(pull.torque_W));
+  }
+
   const Problem& problem_;
   double h_;
   Parts parts_;
@@ -98,12 +103,9 @@ class MultiBodyWorld {
   MultiBodyWorld& operator=(const MultiBodyWorld&) = delete;
 
   void step() {
-    if (problem_.isPushed()) {
-      const btVector3 force = vector(problem_.force_W);
-      const btVector3 arm_W = body_.localDirToWorld(-1, vector(problem_.arm_P));
-      body_.addBaseForce(force);
-      body_.addBaseTorque(arm_W.cross(force) + vector(problem_.torque_W));
-    }
+    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
+    if (problem_.pulls)
+      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
     world_.stepSimulation(h_, 0);
   }
 
@@ -114,6 +116,13 @@ class MultiBodyWorld {
   }
 
  private:
+  void apply(const Pull& pull) {
+    const btVector3 force = vector(pull.force_W);
+    const btVector3 arm_W = body_.localDirToWorld(-1, vector(pull.arm_P));
+    body_.addBaseForce(force);
+    body_.addBaseTorque(arm_W.cross(force) + vector(pull.torque_W));
+  }
+
   const Problem& problem_;
   double h_;
   Parts parts_;

@@ -38,9 +38,9 @@ class DartWorld {
   }
 
   void step() {
-    if (problem_.isPushed())
-      body_->addExtForce(vector(problem_.force_W), vector(problem_.arm_P), false, true);
-    if (problem_.isTwisted()) body_->addExtTorque(vector(problem_.torque_W), false);
+    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
+    if (problem_.pulls)
+      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
     world_->step();
   }
 
@@ -52,6 +52,11 @@ class DartWorld {
   }
 
  private:
+  void apply(const Pull& pull) {
+    body_->addExtForce(vector(pull.force_W), vector(pull.arm_P), false, true);
+    body_->addExtTorque(vector(pull.torque_W), false);
+  }
+
   const Problem& problem_;
   dart::simulation::WorldPtr world_;
   dart::dynamics::BodyNode* body_;

@@ -42,9 +42,9 @@ class OdeWorld {
   OdeWorld& operator=(const OdeWorld&) = delete;
 
   void step() {
-    const auto &f = problem_.force_W, &p = problem_.arm_P, &tau = problem_.torque_W;
-    if (problem_.isPushed()) dBodyAddForceAtRelPos(body_, f[0], f[1], f[2], p[0], p[1], p[2]);
-    if (problem_.isTwisted()) dBodyAddTorque(body_, tau[0], tau[1], tau[2]);
+    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
+    if (problem_.pulls)
+      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
     step_(world_, h_);
   }
 
@@ -56,6 +56,12 @@ class OdeWorld {
   }
 
  private:
+  void apply(const Pull& pull) {
+    const auto &f = pull.force_W, &p = pull.arm_P, &tau = pull.torque_W;
+    dBodyAddForceAtRelPos(body_, f[0], f[1], f[2], p[0], p[1], p[2]);
+    dBodyAddTorque(body_, tau[0], tau[1], tau[2]);
+  }
+
   const Problem& problem_;
   double h_;
   Step step_;

@@ -14,7 +14,25 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using State = std::array<double, 13>;  // x, v, q (x y z w), ω
 
-template <bool kTwisted>
+State stateOf(const Motion& m) {
+  State s{};
+  std::copy(m.x_W.begin(), m.x_W.end(), s.begin());
+  std::copy(m.v_W.begin(), m.v_W.end(), s.begin() + 3);
+  std::copy(m.q.begin(), m.q.end(), s.begin() + 6);
+  std::copy(m.w_P.begin(), m.w_P.end(), s.begin() + 10);
+  return s;
+}
+
+Motion motionOf(const State& s) {
+  const double norm = std::sqrt(s[6] * s[6] + s[7] * s[7] + s[8] * s[8] + s[9] * s[9]);
+  return {{s[0], s[1], s[2]},
+          {s[3], s[4], s[5]},
+          {s[6] / norm, s[7] / norm, s[8] / norm, s[9] / norm},
+          {s[10], s[11], s[12]}};
+}
+
+/// With pulls or without.
+template <bool kPulled>
 struct RightHandSide {
   const Problem& p;
 
@@ -42,29 +60,23 @@ struct RightHandSide {
     d[10] = (p.arm_P[1] * fz - p.arm_P[2] * fy - (p.I[2] - p.I[1]) * b * c) / p.I[0];
     d[11] = (p.arm_P[2] * fx - p.arm_P[0] * fz - (p.I[0] - p.I[2]) * c * a) / p.I[1];
     d[12] = (p.arm_P[0] * fy - p.arm_P[1] * fx - (p.I[1] - p.I[0]) * a * b) / p.I[2];
-    if constexpr (kTwisted) {
-      const Array3 tau = fromWorldAxes(p.torque_W);
-      for (std::size_t i = 0; i < 3; ++i) d[10 + i] += tau[i] / p.I[i];
+    if constexpr (kPulled)
+      for (const Pull& pull : p.pulls(motionOf(s)))
+        add(pull, fromWorldAxes(pull.force_W), fromWorldAxes(pull.torque_W), d);
+  }
+
+ private:
+  /// f_P, tau_P: the pull's force and couple in body axes.
+  void add(const Pull& pull, const Array3& f_P, const Array3& tau_P, State& d) const {
+    const Array3& r = pull.arm_P;
+    const Array3 about{r[1] * f_P[2] - r[2] * f_P[1], r[2] * f_P[0] - r[0] * f_P[2],
+                       r[0] * f_P[1] - r[1] * f_P[0]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      d[3 + i] += pull.force_W[i] / p.mass;
+      d[10 + i] += (about[i] + tau_P[i]) / p.I[i];
     }
   }
 };
-
-State stateOf(const Motion& m) {
-  State s{};
-  std::copy(m.x_W.begin(), m.x_W.end(), s.begin());
-  std::copy(m.v_W.begin(), m.v_W.end(), s.begin() + 3);
-  std::copy(m.q.begin(), m.q.end(), s.begin() + 6);
-  std::copy(m.w_P.begin(), m.w_P.end(), s.begin() + 10);
-  return s;
-}
-
-Motion motionOf(const State& s) {
-  const double norm = std::sqrt(s[6] * s[6] + s[7] * s[7] + s[8] * s[8] + s[9] * s[9]);
-  return {{s[0], s[1], s[2]},
-          {s[3], s[4], s[5]},
-          {s[6] / norm, s[7] / norm, s[8] / norm, s[9] / norm},
-          {s[10], s[11], s[12]}};
-}
 
 template <class Integrate>
 Run timed(const Problem& problem, const std::string& setting, const Integrate& integrate) {
@@ -125,8 +137,14 @@ std::vector<Run> odeintRuns(const Problem& problem) {
 
 Motion rk4End(const Problem& problem, double h, int steps) {
   State s = stateOf(problem.start);
-  odeint::integrate_n_steps(odeint::runge_kutta4<State>(), RightHandSide<true>{problem}, s, 0.0, h,
-                            static_cast<std::size_t>(steps));
+  const auto integrate = [&](const auto& rhs) {
+    odeint::integrate_n_steps(odeint::runge_kutta4<State>(), rhs, s, 0.0, h,
+                              static_cast<std::size_t>(steps));
+  };
+  if (problem.pulls)
+    integrate(RightHandSide<true>{problem});
+  else
+    integrate(RightHandSide<false>{problem});
   return motionOf(s);
 }
 

@@ -29,7 +29,6 @@ BodyState startOf(const Problem& p, const Body& body) {
 PointWrench pushOf(const Problem& p, const Body& body) {
   PointWrench push;
   push.force = vector(p.force_W);
-  push.torque = vector(p.torque_W);
   push.point = body.X_BP.inverse() * vector(p.arm_P);
   return push;
 }

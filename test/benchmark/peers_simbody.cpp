@@ -14,6 +14,34 @@ SimTK::Vec3 vector(const Array3& v) { return {v[0], v[1], v[2]}; }
 
 Array3 array(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
 
+Motion motionOf(const SimTK::MobilizedBody& body, const SimTK::State& state) {
+  const SimTK::Vec4 q =
+      body.getBodyRotation(state).convertRotationToQuaternion().asVec4();  // w first
+  const Quaternion4 attitude{q[1], q[2], q[3], q[0]};
+  return {array(body.getBodyOriginLocation(state)), array(body.getBodyOriginVelocity(state)),
+          attitude, inBodyAxes(attitude, array(body.getBodyAngularVelocity(state)))};
+}
+
+class PullForce final : public SimTK::Force::Custom::Implementation {
+ public:
+  PullForce(const Problem& problem, const SimTK::MobilizedBody& body)
+      : problem_(problem), body_(body) {}
+
+  void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& loads,
+                 SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector&) const override {
+    for (const Pull& pull : problem_.pulls(motionOf(body_, state))) {
+      body_.applyForceToBodyPoint(state, vector(pull.arm_P), vector(pull.force_W), loads);
+      body_.applyBodyTorque(state, vector(pull.torque_W), loads);
+    }
+  }
+
+  SimTK::Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }
+
+ private:
+  const Problem& problem_;
+  const SimTK::MobilizedBody& body_;
+};
+
 template <class Integrator>
 class SimbodyWorld {
  public:
@@ -26,7 +54,7 @@ class SimbodyWorld {
     if (g.norm() > 0) SimTK::Force::UniformGravity(forces_, matter_, g);
     if (problem.isPushed())
       SimTK::Force::ConstantForce(forces_, body_, vector(problem.arm_P), vector(problem.force_W));
-    if (problem.isTwisted()) SimTK::Force::ConstantTorque(forces_, body_, vector(problem.torque_W));
+    if (problem.pulls) SimTK::Force::Custom(forces_, new PullForce(problem, body_));  // taken over
     start_ = system_.realizeTopology();
     const Motion& start = problem.start;
     const SimTK::Quaternion q(start.q[3], start.q[0], start.q[1], start.q[2]);
@@ -55,11 +83,7 @@ class SimbodyWorld {
   Motion motion() const {
     const SimTK::State& state = integrator_.getState();
     system_.realize(state, SimTK::Stage::Velocity);
-    const SimTK::Vec4 q =
-        body_.getBodyRotation(state).convertRotationToQuaternion().asVec4();  // w first
-    const Quaternion4 attitude{q[1], q[2], q[3], q[0]};
-    return {array(body_.getBodyOriginLocation(state)), array(body_.getBodyOriginVelocity(state)),
-            attitude, inBodyAxes(attitude, array(body_.getBodyAngularVelocity(state)))};
+    return motionOf(body_, state);
   }
 
  private:

@@ -43,19 +43,34 @@ State stateOf(const Body& body, const peers::Motion& m) {
   return state;
 }
 
+/// What acts on the body of a bench, each wrench by itself: to add them up is the engine's.
+std::vector<peers::Pull> pullsOn(const test::Bench& bench, const peers::Motion& m) {
+  const Body& body = bench.world.bodies[0];
+  const std::vector<const Body*> bodies{&body};
+  const std::vector<BodyState> states = stateOf(body, m).bodies;
+  const Quaterniond q_PW = states[0].q_WP.conjugate();
+  std::vector<peers::Pull> pulls;
+  for (const PointWrench& w : bench.world.wrenches) {
+    if (w.start > 0 || std::isfinite(w.end)) throw std::logic_error("a wrench that does not last");
+    pulls.push_back({array(toWorldAxes(w, w.force, states)), array(rotate(q_PW, armOf(w, states))),
+                     array(toWorldAxes(w, w.torque, states))});
+  }
+  for (const auto& law : bench.world.laws) {
+    std::vector<Wrench> wrenches(1);
+    law->addWrenches({bodies, states}, wrenches);
+    const Wrench& w = wrenches[0];
+    pulls.push_back({array(w.f_W), {}, array(w.tau_W + rotate(states[0].q_WP, w.tau_P))});
+  }
+  return pulls;
+}
+
 peers::Problem problemOf(const test::Bench& bench) {
-  const Body& body = bench.world.bodies.at(0);
+  if (bench.world.bodies.size() != 1) throw std::logic_error("engines take one body");
+  const Body& body = bench.world.bodies[0];
   peers::Problem problem{"", body.mass, array(body.I), motionOf(body, bench.initial.bodies[0])};
   problem.g_W = array(bench.world.g_W);
-  if (bench.world.bodies.size() > 1 || bench.world.wrenches.size() > 1)
-    throw std::logic_error("engines take one body and one wrench");
-  for (const PointWrench& push : bench.world.wrenches) {
-    if (push.axes != kWorld || push.point_frame != push.body)
-      throw std::logic_error("engines take world axes and points of the body");
-    problem.force_W = array(push.force);
-    problem.arm_P = array(push.point);
-    problem.torque_W = array(push.torque);
-  }
+  if (!bench.world.wrenches.empty() || !bench.world.laws.empty())
+    problem.pulls = [&bench](const peers::Motion& m) { return pullsOn(bench, m); };
   return problem;
 }
 
@@ -129,7 +144,9 @@ int main(int argc, char** argv) {
     const Names engines = enterEngines();
     if (engines.empty()) throw std::runtime_error("built without any engine");
     bool complete = true;
-    for (const auto& [name, section] : oneBodySections())
+    std::vector<NamedSection> sections = oneBodySections();
+    sections.emplace_back("spring", [](const Names& names) { return springs(names); });
+    for (const auto& [name, section] : sections)
       if (wanted.empty() || name == wanted) complete &= print(section(engines));
     return complete ? 0 : 1;
   } catch (const std::exception& failed) {

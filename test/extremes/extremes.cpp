@@ -29,8 +29,6 @@ std::vector<std::pair<std::string, Section>> sections() {
     named.emplace_back(name, [section, rows] { return section(rows); });
   };
   for (const auto& [name, section] : oneBodySections()) add(name, section, kFreeRows);
-  add("conflict", conflicts, kFreeRows);
-  add("far_pull", farPulls, kFreeRows);
   add(
       "spring", [](const Names& rows) { return springs(rows); }, kLawRows);
   named.emplace_back("tolerance", tolerances);

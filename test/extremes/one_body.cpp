@@ -15,7 +15,9 @@ std::vector<NamedSection> oneBodySections() {
           {"mass", masses},
           {"force", centralForces},
           {"lever", [](const Names& rows) { return offCentreForces(rows); }},
+          {"conflict", conflicts},
           {"arm", arms},
+          {"far_pull", farPulls},
           {"through_zero", throughZero}};
 }
 

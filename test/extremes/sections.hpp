@@ -43,7 +43,7 @@ Cells tolerances();
 Cells crowds(const Names& rows, std::size_t bodies);
 Cells schedules(const Names& rows, int entries);
 
-/// Those of one body under one wrench, in which an engine can take part like any row.
+/// Those of one body without laws, in which an engine can take part like any row.
 using NamedSection = std::pair<std::string, std::function<Cells(const Names&)>>;
 std::vector<NamedSection> oneBodySections();
 
