@@ -1,6 +1,3 @@
-#include <new>
-#include <type_traits>
-
 #include <rigid_body_sim/dynamics/solved_motion.hpp>
 
 namespace rigid_body_sim {
@@ -28,9 +25,7 @@ void SolvedMotion::anchorAnew(const Body& body, const HeldWrench& wrench, const 
     *this = SolvedMotion(body, wrench, g_W, t, state, horizon, bound);
     return;
   }
-  // allocating memory anew would take a tenth of what the series takes
-  static_assert(std::is_trivially_destructible_v<TaylorSegment>);
-  new (segment->get()) TaylorSegment(body, wrench, g_W, state, horizon, bound);
+  (*segment)->startAnew(wrench, state, horizon);
   anchor_ = t;
   valid_until_ = t + (*segment)->validFor();
 }

@@ -31,12 +31,12 @@ T maxAbs(const T (&lanes)[4]) {
                   std::max(std::abs(lanes[2]), std::abs(lanes[3])));
 }
 
-/// [1/s] At what the motion changes, by the sizes of rates and accelerations at the start.
+/// [1/s] At what accelerations of these sizes change the motion.
 template <class T>
-T rateOf(const T (&w)[4], const TaylorEquations<T>& equations) {
+T rateOf(const TaylorEquations<T>& equations) {
   T square = maxAbs(equations.steady);
   for (const T(&column)[4] : equations.turning) square = std::max(square, maxAbs(column) / T(2));
-  return std::max(maxAbs(w), std::sqrt(square));
+  return std::sqrt(square);
 }
 
 template <class T>
@@ -60,21 +60,28 @@ T precisionFor(T rate, T angle, const ErrorBound& bound) {
 
 /// From units of the scene to those in which time is measured in time_unit.
 template <class T>
-void scale(T time_unit, T (&w)[4], TaylorEquations<T>& equations) {
-  for (T& lane : w) lane *= time_unit;
+TaylorEquations<T> scaled(TaylorEquations<T> equations, T time_unit) {
   for (T& lane : equations.steady) lane = lane * time_unit * time_unit;
   for (T(&column)[4] : equations.turning)
     for (T& lane : column) lane = lane * time_unit * time_unit;
+  return equations;
 }
 
 template <class T>
-void scale(T time_unit, TaylorPull<T>& pull) {
+TaylorPull<T> scaled(TaylorPull<T> pull, T time_unit) {
   for (int i = 0; i < 3; ++i) {
     pull.inv_I[i] = pull.inv_I[i] * time_unit * time_unit;
     pull.linear_W[i] *= time_unit;
     pull.quadratic_W[i] = pull.quadratic_W[i] * time_unit * time_unit;
     pull.acceleration_P[i] = pull.acceleration_P[i] * time_unit * time_unit;
   }
+  return pull;
+}
+
+/// x to the power 1/n, to some 13 digits; 0 and infinity stay.
+template <class T>
+T root(T x, std::size_t n) {
+  return std::exp2(std::log2(x) / T(n));
 }
 
 }  // namespace
@@ -82,8 +89,9 @@ void scale(T time_unit, TaylorPull<T>& pull) {
 template <class T>
 TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
                                   const BodyStateT<T>& start, T horizon, const ErrorBound& bound)
-    : start_(start),
+    : bound_(bound),
       I_(body.I.template cast<T>()),
+      inv_I_(I_.cwiseInverse()),
       inv_mass_(T(1) / T(body.mass)),
       f_W_(wrench.f_W.template cast<T>() + T(body.mass) * g_W.template cast<T>()),
       a_W_(wrench.f_W.template cast<T>() * inv_mass_ + g_W.template cast<T>()),
@@ -97,40 +105,39 @@ TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, co
       turned_(body_force_ || body_torque_ || !tau_W_.isZero(0)) {
   for (const HeldWrench::Lever& lever : wrench.levers)
     moments_ += lever.arm_P.template cast<T>() * lever.force_W.template cast<T>().transpose();
-  Vector3<T> pull_W = Vector3<T>::Zero();
-  for (const HeldWrench::Pull& pull : wrench.pulls) {
-    const Vector3<T> force_W = pull.force_W.template cast<T>();
-    pull_W += force_W;
-    tau_W_ += ((pull.point_W.template cast<T>() - start.x_W) - start.x_low_W).cross(force_W);
-  }
+  if (!pulled_) setUpEquations();
+  startAnew(wrench, start, horizon);
+}
 
-  TaylorEquations<T> equations;
-  setUp(equations);
-  T rate = rateOf(series_.w[0], equations);
-  TaylorPull<T> pull;
-  if (pulled_) {
-    setUp(pull_W, pull);
-    equations.pull = &pull;
-    rate = std::max(rate, rateOf(pull));
-  }
+template <class T>
+void TaylorSegmentT<T>::startAnew(const HeldWrench& same_wrench, const BodyStateT<T>& start,
+                                  T horizon) {
+  start_ = start;
+  if (pulled_) setUpPull(same_wrench);
+  assign(series_.w[0], start.L_P.cwiseProduct(inv_I_));
+  for (int i = 0; i < 4; ++i) series_.q[0][i] = start.q_WP.coeffs()[i];
+
+  const T rate = std::max(maxAbs(series_.w[0]), equations_rate_);
   rate_unit_ = unitOf(rate);
   const T time_unit = T(1) / rate_unit_;
-  scale(time_unit, series_.w[0], equations);
-  if (pulled_) scale(time_unit, pull);
+  for (T& lane : series_.w[0]) lane *= time_unit;
+  TaylorEquations<T> equations = scaled(equations_, time_unit);
+  TaylorPull<T> pull;
+  if (pulled_) {
+    pull = scaled(pull_, time_unit);
+    equations.pull = &pull;
+  }
 
   const T angle = rate * horizon;
-  const T precision = precisionFor(rate, angle, bound);
+  const T precision = precisionFor(rate, angle, bound_);
   degree_ = degreeFor(angle, precision, kHighestTaylorDegree);
   expandTaylor(equations, turned_, degree_, series_);
   valid_for_ = length(precision) * time_unit;
 }
 
-/// The start and the equations in the units of the scene.
 template <class T>
-void TaylorSegmentT<T>::setUp(TaylorEquations<T>& e) {
-  const Vector3<T> inv_I = I_.cwiseInverse();
-  assign(series_.w[0], start_.L_P.cwiseProduct(inv_I));
-  for (int i = 0; i < 4; ++i) series_.q[0][i] = start_.q_WP.coeffs()[i];
+void TaylorSegmentT<T>::setUpEquations() {
+  TaylorEquations<T>& e = equations_;
   assign(e.gyroscopic,
          Vector3<T>((I_[1] - I_[2]) / I_[0], (I_[2] - I_[0]) / I_[1], (I_[0] - I_[1]) / I_[2]));
   // I⁻¹ × torque in P = I⁻¹ tau_P + Σ R(j, l) column(j, l)
@@ -139,10 +146,10 @@ void TaylorSegmentT<T>::setUp(TaylorEquations<T>& e) {
     const Vector3<T> torque = l == 0   ? Vector3<T>(t, z, -y)
                               : l == 1 ? Vector3<T>(-z, t, x)
                                        : Vector3<T>(y, -x, t);
-    return inv_I.cwiseProduct(torque);
+    return inv_I_.cwiseProduct(torque);
   };
   const Vector3<T> xx = column(0, 0), yy = column(1, 1), zz = column(2, 2);
-  assign(e.steady, inv_I.cwiseProduct(tau_P_) + (xx + yy + zz));
+  assign(e.steady, inv_I_.cwiseProduct(tau_P_) + (xx + yy + zz));
   assign(e.turning[0], T(-2) * (yy + zz));
   assign(e.turning[1], T(-2) * (xx + zz));
   assign(e.turning[2], T(-2) * (xx + yy));
@@ -151,15 +158,27 @@ void TaylorSegmentT<T>::setUp(TaylorEquations<T>& e) {
     assign(e.turning[3 + n], T(2) * (column(j, l) + column(l, j)));
     assign(e.turning[6 + left], T(2) * (column(l, j) - column(j, l)));
   }
+  equations_rate_ = rateOf(e);
 }
 
+/// Forces at world points: their torque at the start counts as a couple, what the displacement adds
+/// to it goes by itself.
 template <class T>
-void TaylorSegmentT<T>::setUp(const Vector3<T>& pull_W, TaylorPull<T>& pull) const {
-  assign(pull.force_W, pull_W);
-  assign(pull.linear_W, pull_W.cross(start_.p_W * inv_mass_));
-  assign(pull.quadratic_W, pull_W.cross(a_W_ / T(2)));
-  assign(pull.acceleration_P, f_P_ * inv_mass_);
-  assign(pull.inv_I, I_.cwiseInverse());
+void TaylorSegmentT<T>::setUpPull(const HeldWrench& wrench) {
+  tau_W_ = wrench.tau_W.template cast<T>();
+  Vector3<T> pull_W = Vector3<T>::Zero();
+  for (const HeldWrench::Pull& pull : wrench.pulls) {
+    const Vector3<T> force_W = pull.force_W.template cast<T>();
+    pull_W += force_W;
+    tau_W_ += ((pull.point_W.template cast<T>() - start_.x_W) - start_.x_low_W).cross(force_W);
+  }
+  setUpEquations();
+  assign(pull_.force_W, pull_W);
+  assign(pull_.linear_W, pull_W.cross(start_.p_W * inv_mass_));
+  assign(pull_.quadratic_W, pull_W.cross(a_W_ / T(2)));
+  assign(pull_.acceleration_P, f_P_ * inv_mass_);
+  assign(pull_.inv_I, inv_I_);
+  equations_rate_ = std::max(equations_rate_, rateOf(pull_));
 }
 
 template <class T>
@@ -184,10 +203,10 @@ T TaylorSegmentT<T>::length(T size) const {
     last = std::max(last, std::max(sizeOf(N) / size_w, sizeOfL(N) / size_L));
     before = std::max(before, std::max(sizeOf(N - 1) / size_w, sizeOfL(N - 1) / size_L));
   }
-  const T s = std::pow(size / last, T(1) / T(N));
+  const T s = root(size / last, N);
   // before sᴺ⁻¹ <= 7 size, with sᴺ = size/last
   if (before <= T(7) * last * s) return s;
-  return std::min(s, std::pow(T(7) * size / before, T(1) / T(N - 1)));
+  return std::min(s, root(T(7) * size / before, N - 1));
 }
 
 template <class T>

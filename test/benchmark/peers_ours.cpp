@@ -87,7 +87,7 @@ std::vector<Run> autoRuns(const Problem& p) {
   world.solver.horizon = p.duration;
   std::vector<Run> runs{ourRun(p, "auto", world)};
   world.solver.tolerance_stated = true;
-  for (double tolerance = 1e-12; tolerance < 1; tolerance *= 2) {
+  for (double tolerance = 1e-12; tolerance < 1; tolerance *= 1.2) {
     world.solver.tolerance = tolerance;
     runs.push_back(ourRun(p, label("auto", "tolerance", tolerance), world));
   }

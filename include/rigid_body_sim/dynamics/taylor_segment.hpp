@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -8,6 +7,7 @@
 #include <rigid_body_sim/dynamics/held_wrench.hpp>
 #include <rigid_body_sim/dynamics/state.hpp>
 #include <rigid_body_sim/dynamics/step_too_long.hpp>
+#include <rigid_body_sim/dynamics/taylor_equations.hpp>
 
 namespace rigid_body_sim {
 
@@ -16,27 +16,6 @@ struct ErrorBound {
   double attitude = 0;  ///< [rad]; below rounding, such as 0: to rounding
   double horizon = 0;   ///< [s]
 };
-
-/// The highest degree of the series: from 18 on, what longer segments save is about what each
-/// costs more.
-constexpr std::size_t kHighestTaylorDegree = 20;
-
-/// Coefficients by degree, up to the highest.
-template <class T>
-struct TaylorSeries {
-  using Coefficients = T[kHighestTaylorDegree + 1][4];
-  Coefficients w;        ///< angular velocity, principal axes
-  Coefficients q;        ///< attitude (x, y, z, w)
-  Coefficients squares;  ///< time integral of (xx, yy, zz), from degree 1 on
-  Coefficients crosses;  ///< of (xy, yz, zx)
-  Coefficients turns;    ///< of (wx, wy, wz)
-  Coefficients pull;     ///< of the torque of a TaylorPull, world axes
-};
-
-template <class T>
-struct TaylorEquations;
-template <class T>
-struct TaylorPull;
 
 /// The motion of one body from a start on, under a wrench that stays constant in the world or in
 /// the body: its Taylor series about the start, for as long as validFor() says.
@@ -58,6 +37,10 @@ class TaylorSegmentT {
                  const BodyStateT<T>& start, T horizon = std::numeric_limits<T>::infinity(),
                  const ErrorBound& bound = {});
 
+  /// Begins anew at another start, as if made anew, under the same wrench: what does not depend on
+  /// the start need not be found again.
+  void startAnew(const HeldWrench& same_wrench, const BodyStateT<T>& start, T horizon);
+
   /// [s] How long after its start the series holds. Infinite where the body does not turn; NaN
   /// where the motion is not finite.
   T validFor() const { return valid_for_; }
@@ -74,8 +57,8 @@ class TaylorSegmentT {
  private:
   using Array4 = Eigen::Array<T, 4, 1>;
 
-  void setUp(TaylorEquations<T>& equations);
-  void setUp(const Vector3<T>& pull_W, TaylorPull<T>& pull) const;
+  void setUpEquations();
+  void setUpPull(const HeldWrench& wrench);
 
   /// How long, in time units, the last terms stay below a relative size.
   T length(T size) const;
@@ -83,22 +66,26 @@ class TaylorSegmentT {
   Vector3<T> pulledMoment(T s) const;
   Vector3<T> bodyDisplacement(T s) const;
 
+  ErrorBound bound_;
   BodyStateT<T> start_;
-  Vector3<T> I_;
+  Vector3<T> I_, inv_I_;
   T inv_mass_;
-  Vector3<T> f_W_;      // [N] constant part of the force, with gravity
-  Vector3<T> a_W_;      // [m/s²] constant part of the acceleration
-  Vector3<T> f_P_;      // [N] force fixed in the body
-  Vector3<T> tau_W_;    // [N m] constant part of the torque in world axes
-  Vector3<T> tau_P_;    // [N m] torque fixed in the body
-  Matrix3<T> moments_;  // [N m] Σ armᵢ forceᵢᵀ, arms in P, forces in W
-  bool body_force_;     // whether momentum gains more than f_W dt
-  bool body_torque_;    // whether angular momentum gains more than tau_W dt
-  bool pulled_;         // whether forces act at points of the world
-  bool turned_;         // whether the series of products of q are there
-  std::size_t degree_;  // of the series
-  T rate_unit_;         // [1/s] power of two; the series are in s = rate_unit_ dt
-  T valid_for_;         // [s]
+  Vector3<T> f_W_;                // [N] constant part of the force, with gravity
+  Vector3<T> a_W_;                // [m/s²] constant part of the acceleration
+  Vector3<T> f_P_;                // [N] force fixed in the body
+  Vector3<T> tau_W_;              // [N m] constant part of the torque in world axes
+  Vector3<T> tau_P_;              // [N m] torque fixed in the body
+  Matrix3<T> moments_;            // [N m] Σ armᵢ forceᵢᵀ, arms in P, forces in W
+  bool body_force_;               // whether momentum gains more than f_W dt
+  bool body_torque_;              // whether angular momentum gains more than tau_W dt
+  bool pulled_;                   // whether forces act at points of the world
+  bool turned_;                   // whether the series of products of q are there
+  TaylorEquations<T> equations_;  // in the units of the scene
+  TaylorPull<T> pull_;            // the same, where pulled_
+  T equations_rate_;              // [1/s] at which they change the motion, whatever it is
+  std::size_t degree_;            // of the series
+  T rate_unit_;                   // [1/s] power of two; the series are in s = rate_unit_ dt
+  T valid_for_;                   // [s]
   TaylorSeries<T> series_;
 };
 
@@ -111,11 +98,12 @@ BodyStateT<T> advanceTaylor(const Body& body, const HeldWrench& wrench, const Ve
                             BodyStateT<T> state, T duration, const ErrorBound& bound = {}) {
   constexpr int kMostSegments = 1000000;
   T left = duration;
+  TaylorSegmentT<T> segment(body, wrench, g_W, state, left, bound);
   for (int count = 0; count < kMostSegments; ++count) {
-    const TaylorSegmentT<T> segment(body, wrench, g_W, state, left, bound);
     if (!(segment.validFor() < left)) return segment.at(left);
     state = segment.at(segment.validFor());
     left -= segment.validFor();
+    segment.startAnew(wrench, state, left);
   }
   throw StepTooLong("the motion is too fast to be followed");
 }
