@@ -37,6 +37,7 @@ class Trial {
   }
 
   int mostParts() const { return most_parts_; }
+  double endTime() const { return time(steps_); }
 
   /// Whether shorter steps gain nothing more: the errors, as shares of the tolerance, are those of
   /// steps short enough to be of the method's order, and fall no longer.
@@ -148,13 +149,20 @@ std::optional<Truth> truthOf(const Trial& trial) {
 
 }  // namespace
 
+MethodChoice controlledChoice() {
+  MethodChoice choice{&methodNamed("dop853")};
+  choice.controlled = true;
+  return choice;
+}
+
 MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const State& state,
                           const std::vector<WrenchSchedule>& schedules, double most_body_steps) {
   constexpr double kMargin = 0.5;  // of the tolerance: the truth is itself a computed motion
   const unsigned needs = needsOf(world, group, schedules);
   const Trial trial(world, group, state, schedules, most_body_steps);
   const std::optional<Truth> truth = truthOf(trial);
-  MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), 1, false};
+  MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), 1, false,
+                    trial.endTime()};
   if (!truth) return best;
   if (!truth->agrees) {
     best.parts = truth->parts;
@@ -171,7 +179,8 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
       const double error = run ? trial.error(run->track, truth->track) : last_error;
       const bool holds = run && error <= kMargin;
       if (holds && run->cost >= best_cost) break;
-      if (holds || (!best.holds && error < best.error)) best = {&*row, parts, error, 1, holds};
+      if (holds || (!best.holds && error < best.error))
+        best = {&*row, parts, error, 1, holds, trial.endTime()};
       if (holds) best_cost = run->cost;
       // rounding has the better of the shorter step, or the row cannot get there
       if (holds || trial.isStuck(error, last_error)) break;

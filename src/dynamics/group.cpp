@@ -18,8 +18,11 @@ struct NoMeter {
 }  // namespace
 
 Group::Group(const World& world, const CoupledBodies& bodies, const MethodChoice& choice)
-    : members_(bodies.members), choice_(choice), states_(members_.size()) {
-  if (world.solver.tolerance_stated) bound_ = {world.solver.tolerance, world.solver.horizon};
+    : members_(bodies.members),
+      choice_(choice),
+      states_(members_.size()),
+      promise_{world.solver.tolerance, world.solver.horizon} {
+  if (world.solver.tolerance_stated) bound_ = promise_;
   system_.g_W = world.g_W;
   for (std::size_t body : members_) {
     system_.bodies.push_back(&world.bodies[body]);
@@ -38,6 +41,14 @@ std::size_t Group::localIndex(std::size_t body) const {
   if (body == kWorld) return kWorld;
   const auto it = std::lower_bound(members_.begin(), members_.end(), body);
   return static_cast<std::size_t>(it - members_.begin());
+}
+
+void Group::distrustTrial() {
+  if (!choice_.method || std::isinf(choice_.tried_until)) return;
+  MethodChoice controlled = controlledChoice();
+  controlled.most_turn_share = choice_.most_turn_share;
+  controlled.holds = choice_.holds;
+  choice_ = controlled;
 }
 
 void Group::restart(double t, std::vector<WrenchSchedule>& schedules) {
@@ -72,6 +83,7 @@ void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& 
     // what starts and ends there
     bool changed = false;
     for (std::size_t body : members_) changed |= schedules[body].advanceTo(t);
+    if (changed && t >= choice_.tried_until) distrustTrial();
     if (changed) gatherWrenches(schedules);
   }
 
@@ -128,6 +140,20 @@ double Group::partsNeeded(double h, const std::vector<BodyState>& bodies) {
   return std::ceil(h * fastestRate(h) / (choice_.method->most_turn * choice_.most_turn_share));
 }
 
+/// What the estimate of a step of h may reach, the motion changing at a rate: errors of attitude
+/// add up over the steps to the horizon; errors of momenta, relative, grow by the angle turned by
+/// then; those of a body at rest, by the time. At twice the step, in the run that tells the error,
+/// it is what leaves as many parts: an estimate of order 8 grows 2⁹-fold over a step twice as long.
+StepBound Group::stepBound(double h, double rate) const {
+  constexpr double kRounding = 1e-14;  // some ten roundings of a step that turns by a radian
+  const double share = h / promise_.horizon, turned = std::max(1.0, rate * promise_.horizon);
+  const double doubled = std::pow(choice_.most_turn_share, 8);
+  const StepBound follows;
+  return {std::clamp(promise_.attitude * share / turned * doubled, kRounding, follows.error),
+          std::min(promise_.attitude * share * share * doubled / choice_.most_turn_share,
+                   follows.idle)};
+}
+
 /// [1/s] What turns, swings or decays fastest within a step of h.
 double Group::fastestRate(double h) const {
   double fastest = law_rate_;
@@ -168,6 +194,7 @@ void Group::stepInParts(double h, Meter& meter) {
            << method.name << " follows in " << kMostParts << " parts";
     throw StepTooLong(reason.str());
   }
+  if (choice_.controlled) workspace_.step_bound = stepBound(h / parts, turn / h);
   if (needed > choice_.parts) most_parts_ = std::max(most_parts_, static_cast<int>(needed));
   for (int k = 0; k < static_cast<int>(parts); ++k) {
     meter.step(method, system_, h / parts, states_);

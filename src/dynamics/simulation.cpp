@@ -51,7 +51,11 @@ void Simulation::reset(bool restart_time) {
   if (restart_time)
     for (const PointWrench& wrench : world_->wrenches)
       schedules_[wrench.body].put("", wrench, state_.t);
-  formGroups(kTrialAtStart);
+  groups_.clear();
+  disturbed_.assign(world_->bodies.size(), false);
+  // what was tried with the scene's wrenches, which come no more
+  if (!restart_time && !world_->wrenches.empty()) choices_.clear();
+  formGroups();
   coarse_.reset();
   error_ = ErrorEstimate();
   startBalance();
@@ -107,7 +111,9 @@ State Simulation::sample(double t) const {
   return state;
 }
 
-void Simulation::formGroups(double most_trial_steps) {
+void Simulation::formGroups() {
+  for (const Group& group : groups_)
+    if (group.choice().controlled) disturb(group.members().front());
   groups_.clear();
   group_of_.assign(world_->bodies.size(), 0);
   const std::vector<CoupledBodies> all = coupledBodies(*world_, schedules_);
@@ -117,14 +123,15 @@ void Simulation::formGroups(double most_trial_steps) {
   const double share = std::min(1.0, kFullTrials / std::max(1.0, static_cast<double>(trials)));
   for (const CoupledBodies& bodies : all) {
     for (std::size_t body : bodies.members) group_of_[body] = groups_.size();
-    MethodChoice choice = chosen(bodies, share * most_trial_steps);
+    MethodChoice choice = chosen(bodies, share * kMostTrialSteps);
     choice.most_turn_share = most_turn_share_;
     groups_.emplace_back(*world_, bodies, choice);
     groups_.back().restart(state_.t, schedules_);
   }
 }
 
-/// The row named by the scene; with auto, none where the motion can be solved, else the cheapest.
+/// The row named by the scene; with auto, none where the motion can be solved, else the cheapest
+/// for the motion that the scene foretells, or what follows any other.
 MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_steps) {
   const unsigned needs = needsOf(*world_, bodies, schedules_);
   if (method_) {
@@ -132,10 +139,21 @@ MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_s
     return {method_};
   }
   if (bodies.members.size() == 1 && needs == 0) return {};
+  if (std::any_of(bodies.members.begin(), bodies.members.end(),
+                  [this](std::size_t body) { return disturbed_[body]; }))
+    return controlledChoice();
   const auto known = choices_.find(bodies.members);
   if (known != choices_.end()) return known->second;
   return choices_[bodies.members] =
              chooseMethod(*world_, bodies, state_, schedules_, most_trial_steps);
+}
+
+/// Bodies that act on one another no longer move as the scene foretold.
+void Simulation::disturb(std::size_t body) {
+  if (world_->bodies[body].fixed) return;
+  Group& group = groups_[group_of_[body]];
+  for (std::size_t member : group.members()) disturbed_[member] = true;
+  group.distrustTrial();
 }
 
 void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench) {
@@ -145,10 +163,11 @@ void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench)
   if (method_ && !HeldWrench::holds(wrench))
     requireTaken(*method_, kCoupling, world_->bodies[wrench.body].name);
   schedules_[wrench.body].put(slot, wrench, state_.t);
+  disturb(wrench.body);
   if (HeldWrench::holds(wrench))
     groups_[group_of_[wrench.body]].restart(state_.t, schedules_);
   else
-    formGroups(kTrialInTheRun);
+    formGroups();
   if (coarse_) {
     coarse_->choices_ = choices_;
     coarse_->applyWrench(slot, wrench);
@@ -156,20 +175,25 @@ void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench)
 }
 
 void Simulation::clearWrenches() {
-  for (WrenchSchedule& schedule : schedules_) schedule.clear();
-  formGroups(kTrialInTheRun);
+  for (std::size_t body = 0; body < schedules_.size(); ++body) {
+    if (schedules_[body].size() > 0) disturb(body);
+    schedules_[body].clear();
+  }
+  formGroups();
   coarse_.reset();
 }
 
 void Simulation::clearWrenches(std::size_t body) {
+  if (schedules_[body].size() > 0) disturb(body);
   schedules_[body].clear();
-  formGroups(kTrialInTheRun);
+  formGroups();
   coarse_.reset();
 }
 
 void Simulation::clearWrenches(std::size_t body, const std::string& slot) {
+  if (schedules_[body].size() > 0) disturb(body);
   schedules_[body].clear(slot);
-  formGroups(kTrialInTheRun);
+  formGroups();
   coarse_.reset();
 }
 
@@ -200,6 +224,7 @@ Wrench Simulation::appliedWrench(std::size_t body) const {
 
 void Simulation::setState(std::size_t body, const BodyState& state) {
   state_.bodies[body] = state;
+  disturb(body);
   groups_[group_of_[body]].restart(state_.t, schedules_);
   coarse_.reset();
   startBalance();

@@ -30,7 +30,7 @@ void Simulation::startCoarse() {
   coarse_->stopTracking();
   coarse_->most_turn_share_ = 2;  // so that its parts, too, are twice as long
   coarse_->steps_ = steps_ / 2;
-  coarse_->formGroups(kTrialInTheRun);
+  coarse_->formGroups();
 }
 
 void Simulation::trackBalance() {

@@ -45,8 +45,14 @@ SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures) {
   return status;
 }
 
+bool isWithinTolerance(const ErrorEstimate& error, double time, const SolverOptions& solver) {
+  return solver.integrator != "auto" || time > solver.horizon || error.attitude <= solver.tolerance;
+}
+
 bool holdsTolerance(const Simulation& simulation) {
-  return std::all_of(simulation.groups().begin(), simulation.groups().end(),
+  return isWithinTolerance(simulation.errorEstimate(), simulation.time(),
+                           simulation.world().solver) &&
+         std::all_of(simulation.groups().begin(), simulation.groups().end(),
                      [](const Group& group) { return group.choice().holds; });
 }
 
@@ -60,7 +66,7 @@ void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper&
     diagnostic.mergeSummaryf(DiagnosticStatus::WARN, "steps are taken in up to %u parts",
                              status.most_parts);
   if (!health.holds_tolerance)
-    diagnostic.mergeSummary(DiagnosticStatus::WARN, "no integrator holds the scene's tolerance");
+    diagnostic.mergeSummary(DiagnosticStatus::WARN, "the scene's tolerance is not held");
   if (!health.divergence.empty())
     diagnostic.summary(DiagnosticStatus::ERROR, "diverged: " + health.divergence);
 

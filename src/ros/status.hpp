@@ -22,7 +22,12 @@ struct RunFigures {
 /// Energy and momenta are those of totalsOf; balances are not numbers unless they are tracked.
 SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures);
 
-/// Whether auto found a row that holds the scene's tolerance wherever it needed one.
+/// Whether an attitude error estimated at a time is one that auto promises: nothing is promised
+/// beyond the horizon, or of an integrator that the scene names.
+bool isWithinTolerance(const ErrorEstimate& error, double time, const SolverOptions& solver);
+
+/// Whether auto found a row that holds the scene's tolerance wherever it needed one, and no error
+/// was estimated that exceeds it.
 bool holdsTolerance(const Simulation& simulation);
 
 struct Health {

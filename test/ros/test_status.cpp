@@ -139,7 +139,18 @@ TEST(Diagnostics, WarnOfWhatCostsAccuracyOrTime) {
   const std::string all = described(health).message;
   EXPECT_NE(all.find("3 steps began late"), std::string::npos);
   EXPECT_NE(all.find("up to 12 parts"), std::string::npos);
-  EXPECT_NE(all.find("no integrator holds"), std::string::npos);
+  EXPECT_NE(all.find("the scene's tolerance is not held"), std::string::npos);
+}
+
+TEST(Diagnostics, HoldAnEstimatedErrorAgainstTheToleranceUpToTheHorizon) {
+  SolverOptions solver;
+  solver.tolerance = 1e-6;
+  solver.horizon = 5;
+  EXPECT_TRUE(isWithinTolerance({1e-6, 1}, 5, solver));
+  EXPECT_FALSE(isWithinTolerance({1.1e-6, 0}, 5, solver));
+  EXPECT_TRUE(isWithinTolerance({1.1e-6, 0}, 5.001, solver));
+  solver.integrator = "rk4";
+  EXPECT_TRUE(isWithinTolerance({1, 0}, 1, solver));
 }
 
 TEST(Diagnostics, TellTheSizesOfTheBalances) {

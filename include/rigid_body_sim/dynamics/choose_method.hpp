@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/catalogue.hpp>
@@ -14,7 +15,15 @@ struct MethodChoice {
   double error = 0;            ///< what the trial found, as a share of the tolerance
   double most_turn_share = 1;  ///< of the turn that the method follows in one part
   bool holds = true;           ///< whether any row was found to hold the tolerance
+  /// [s] Up to when the motion was tried; for one that was not tried, nothing depends on it.
+  double tried_until = std::numeric_limits<double>::infinity();
+  bool controlled = false;  ///< whether the method's own estimates part its steps to hold the
+                            ///< tolerance
 };
+
+/// What follows any motion within the tolerance, at a higher price than what a trial finds: dop853
+/// with steps parted by its error estimates.
+MethodChoice controlledChoice();
 
 /// The cheapest row and number of parts with which bodies that act on one another hold the world's
 /// tolerance over its horizon, found by trying them from the given states on, against dop853 at

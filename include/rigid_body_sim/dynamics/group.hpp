@@ -22,6 +22,11 @@ class Group {
   const MethodChoice& choice() const { return choice_; }
   const std::vector<std::size_t>& members() const { return members_; }
 
+  /// To be called when the motion is no longer the one on which the choice was tried, because a
+  /// message, say, changes it: a choice that was tried gives way to controlledChoice(). A wrench of
+  /// the schedule that starts or ends after the trial's end does the same by itself.
+  void distrustTrial();
+
   /// Takes what starts and ends at time t into account; to be called after every change of the
   /// schedules or states from outside. schedules: one per body of the world.
   void restart(double t, std::vector<WrenchSchedule>& schedules);
@@ -54,6 +59,7 @@ class Group {
                       std::vector<BodyState>& bodies, Meter& meter);
   template <class Meter>
   void solve(double t, double t_end, double next_event, Meter& meter);
+  StepBound stepBound(double h, double rate) const;
   double fastestRate(double h) const;
   double rateBroughtAbout(double h) const;
   template <class Meter>
@@ -66,6 +72,7 @@ class Group {
   std::vector<BodyState> states_;       // of the members, while they are advanced
   std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
   ErrorBound bound_;                    // of a solved motion; none: to rounding
+  ErrorBound promise_;                  // what auto holds of a stepped one
   bool drag_counts_ = false;            // whether the method must follow the decay by drag
   bool speeds_up_ = false;              // whether that or torques bring rates about
   double law_rate_ = 0;                 // [1/s] the fastest that laws bring about at any state

@@ -114,17 +114,16 @@ class Simulation {
   void reset(bool restart_time);
 
  private:
-  // Bounds on the work of each of auto's trial runs, in steps of one body: tenths of a second
-  // before the simulation starts, milliseconds once it runs.
-  static constexpr double kTrialAtStart = 3e5;
-  static constexpr double kTrialInTheRun = 3e3;
+  // Bound on the work of each of auto's trial runs, in steps of one body: tenths of a second.
+  static constexpr double kMostTrialSteps = 3e5;
   static constexpr double kFullTrials = 10;  // groups that may take so much; more of them share it
 
   template <class Advance>
   void stepBy(const Advance& advance);
   void acceptStep();
   void trackedStep();
-  void formGroups(double most_trial_steps);
+  void formGroups();
+  void disturb(std::size_t body);
   MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
   bool solvedToRounding(const Group& group) const;
   void startCoarse();
@@ -140,9 +139,10 @@ class Simulation {
   std::vector<WrenchSchedule> schedules_;  // one per body
   std::vector<Group> groups_;
   std::vector<std::size_t> group_of_;  // body -> index in groups_; of no account for a fixed body
-  std::map<std::vector<std::size_t>, MethodChoice> choices_;  // of auto, by members
-  double most_turn_share_ = 1;                                // MethodChoice's
-  bool tracked_ = false;                                      // error or balance
+  std::map<std::vector<std::size_t>, MethodChoice> choices_;  // of auto's trials, by members
+  std::vector<bool> disturbed_;  // bodies that do not move as they did in a trial
+  double most_turn_share_ = 1;   // MethodChoice's
+  bool tracked_ = false;         // error or balance
   bool tracks_error_ = false;
   std::shared_ptr<Simulation> coarse_;  // at twice the step; null until a step of even count
   ErrorEstimate error_;

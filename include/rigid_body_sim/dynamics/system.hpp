@@ -21,6 +21,14 @@ struct System {
   bool drags = false;                ///< whether any of the bodies has drag
 };
 
+/// What a method that estimates the error of its step lets the estimate reach before it takes the
+/// step in parts. As it stands, beyond it an estimate means that the step cannot be followed.
+struct StepBound {
+  double error = 1e-4;  ///< [rad] of attitudes; of momenta relative to their size and change
+  double idle = 1e-9;  ///< errors of momenta do not count that turn a body by less [rad] within the
+                       ///< step, or move it by less of its radius of gyration
+};
+
 /// Memory that a method reuses from step to step.
 struct Workspace {
   std::vector<Wrench> wrenches;  ///< at the present states, if wrenches_current
@@ -28,6 +36,7 @@ struct Workspace {
   std::int64_t evaluations = 0;  ///< of all wrenches, since the workspace was made
   std::vector<BodyState> stages;
   std::vector<BodyStateDot> dots;
+  StepBound step_bound;
 };
 
 /// Puts the wrench on each body, gravity included and drag left out, into workspace.wrenches.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <rigid_body_sim/dynamics/catalogue.hpp>
 
@@ -13,11 +14,9 @@ using dop853::kStages;
 /// What a step got wrong by its embedded estimates, the greatest of all bodies: attitude [rad],
 /// angular momentum and momentum relative to their size and change, each by itself, so that a fast
 /// flight does not hide a bad attitude. Where a body has come to rest on a stiff spring, momenta
-/// are rounding and their relative errors mean nothing: those that turn it by less than 1e-9 rad
-/// within the step, or move it by less than 1e-9 of its radius of gyration, do not count.
+/// are rounding and their relative errors mean nothing: see StepBound::idle.
 double errorEstimate(const System& system, double h, const std::vector<BodyState>& states,
-                     const std::vector<BodyStateDot>& dots) {
-  constexpr double kIdle = 1e-9;
+                     const std::vector<BodyStateDot>& dots, double idle) {
   const std::size_t n = states.size();
   double worst = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -38,8 +37,8 @@ double errorEstimate(const System& system, double h, const std::vector<BodyState
       return e <= least ? 0.0 : e / scale;
     };
     const Body& body = *system.bodies[i];
-    const double least_L = kIdle * body.I.minCoeff() / h;
-    const double least_p = kIdle * std::sqrt(body.I.maxCoeff() / body.mass) * body.mass / h;
+    const double least_L = idle * body.I.minCoeff() / h;
+    const double least_p = idle * std::sqrt(body.I.maxCoeff() / body.mass) * body.mass / h;
     const double L = states[i].L_P.norm() + h * dots[i].L_dot_P.norm();
     const double p = states[i].p_W.norm() + h * dots[i].p_dot_W.norm();
     worst =
@@ -79,28 +78,46 @@ void endStep(double h, const std::vector<BodyStateDot>& dots, std::vector<BodySt
   }
 }
 
+/// A step in equal parts. Returns the greatest estimate of a part; infinity, and leaves the step
+/// unfinished, where a part cannot be followed.
+double stepInParts(const System& system, double h, int parts, std::vector<BodyState>& states,
+                   Workspace& workspace) {
+  const StepBound follows, &bound = workspace.step_bound;
+  const double part = h / parts;
+  double worst = 0;
+  for (int done = 0; done < parts; ++done) {
+    evaluateStages(system, part, states, workspace);
+    const auto estimate = [&](double idle) {
+      return errorEstimate(system, std::abs(part), states, workspace.dots, idle);
+    };
+    const double error = estimate(bound.idle);
+    // not (error <= limit), so that a step to infinity is not followed either
+    if (!(error <= follows.error) && !(estimate(follows.idle) <= follows.error))
+      return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, error);
+    endStep(part, workspace.dots, states);
+  }
+  return worst;
+}
+
 }  // namespace
 
 // One step of order 8; in equal parts where its own estimate says that it cannot follow so long a
-// step.
+// step, and where it exceeds the bound, unless shorter ones gain nothing more but rounding.
 void dop853Step(const System& system, double h, std::vector<BodyState>& states,
                 Workspace& workspace) {
-  constexpr double kFollowed = 1e-4;  // [rad, relative] beyond it, the estimate means failure
   constexpr int kMostParts = 1 << 12;
+  constexpr double kGain = 4;  // far below the 2⁸ of the order
   const std::vector<BodyState> start = states;
+  double last_error = std::numeric_limits<double>::infinity();
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
-    const double part = h / parts;
-    int done = 0;
-    for (; done < parts; ++done) {
-      evaluateStages(system, part, states, workspace);
-      // not (error <= limit), so that a step to infinity is parted too
-      if (!(errorEstimate(system, std::abs(part), states, workspace.dots) <= kFollowed)) break;
-      endStep(part, workspace.dots, states);
-    }
-    if (done == parts) {
+    const double error = stepInParts(system, h, parts, states, workspace);
+    if (error <= workspace.step_bound.error ||
+        (std::isfinite(error) && error > last_error / kGain)) {
       workspace.wrenches_current = false;
       return;
     }
+    last_error = error;
     states = start;
   }
   throw StepTooLong("dop853 cannot follow the motion, even in 4096 parts of a step");
