@@ -19,11 +19,9 @@ enum ExitCode { kDone = 0, kBadInput = 1, kDiverged = 3 };
 void onSignal(int) { ros::requestShutdown(); }
 
 Scene readScene(const NodeOptions& options) {
-  Scene scene = options.scene_file.empty()
-                    ? parseScene(options.scene_text, "parameter ~scene", packageDirectory)
-                    : loadScene(options.scene_file, packageDirectory);
-  for (const std::string& notice : scene.notices) ROS_WARN("%s", notice.c_str());
-  return scene;
+  return options.scene_file.empty()
+             ? parseScene(options.scene_text, "parameter ~scene", packageDirectory)
+             : loadScene(options.scene_file, packageDirectory);
 }
 
 }  // namespace
@@ -36,7 +34,10 @@ int main(int argc, char** argv) {
   if (!ros::ok()) return kDone;
   try {
     const NodeOptions options = loadNodeOptions();
-    SimulationNode node(options, readScene(options));
+    const Scene scene = readScene(options);
+    SimulationNode node(options, scene);
+    // not before: the line on a scene that is at fault stands alone
+    for (const std::string& notice : scene.notices) ROS_WARN("%s", notice.c_str());
     node.run();
     return kDone;
   } catch (const SimulationDiverged& error) {

@@ -15,7 +15,6 @@
 namespace rigid_body_sim {
 namespace {
 
-const std::string kProgram = "mass_properties";
 constexpr double kDensityOfWater = 1000;
 
 std::string extensionOf(const std::string& path) {
@@ -34,9 +33,8 @@ std::string nameOf(const std::string& path) {
   return begins_with_letter ? name : "mesh_" + name;
 }
 
-NamedMass massOfMesh(const MassPropertiesOptions& options) {
+Masses massOfMesh(const MassPropertiesOptions& options) {
   const SolidMesh solid = readSolidMesh(options.file, 1);
-  if (!solid.notice.empty()) printNotice(kProgram, solid.notice);
   SolidDef def;
   def.mesh = solid.def;
   def.mass = options.mass;
@@ -51,13 +49,18 @@ NamedMass massOfMesh(const MassPropertiesOptions& options) {
          << " kg/m^3";
   if (!options.mass && !options.density)
     remark << " (assumed: neither --density nor --mass is given)";
-  return {nameOf(options.file), remark.str(), mass};
+  Masses masses;
+  masses.bodies.push_back({nameOf(options.file), remark.str(), mass});
+  if (!solid.notice.empty()) masses.notices.push_back(solid.notice);
+  return masses;
 }
 
-std::vector<NamedMass> massesOfScene(const std::string& path) {
-  std::vector<NamedMass> masses;
-  for (const BodyDef& body : loadToolScene(path, kProgram).bodies)
-    masses.push_back({body.name, "", massProperties(body)});
+Masses massesOfScene(const std::string& path) {
+  const Scene scene = loadToolScene(path);
+  Masses masses;
+  masses.notices = scene.notices;
+  for (const BodyDef& body : scene.bodies)
+    masses.bodies.push_back({body.name, "", massProperties(body)});
   return masses;
 }
 
@@ -68,8 +71,8 @@ NamedMass massOfLink(const std::string& path, const UrdfLink& link) {
   return {link.name, "", *link.mass};
 }
 
-std::vector<NamedMass> massesOfUrdf(const std::string& path) {
-  std::vector<NamedMass> masses;
+Masses massesOfUrdf(const std::string& path) {
+  Masses masses;
   for (const UrdfLink& link : readUrdf(path))
     if (link.mass) masses.push_back(massOfLink(path, link));
   if (masses.empty()) throw std::runtime_error(path + ": no link has an <inertial>");
@@ -78,15 +81,15 @@ std::vector<NamedMass> massesOfUrdf(const std::string& path) {
 
 }  // namespace
 
-std::vector<NamedMass> readMasses(const MassPropertiesOptions& options) {
+Masses readMasses(const MassPropertiesOptions& options) {
   const std::string extension = extensionOf(options.file);
-  const bool is_scene = extension == ".yaml" || extension == ".yml";
+  const bool is_mesh = extension == ".stl" || extension == ".obj" || extension == ".dae";
   const bool is_urdf = extension == ".urdf" || extension == ".xml";
-  if (!is_scene && !is_urdf) return {massOfMesh(options)};
+  if (is_mesh) return massOfMesh(options);
   if (options.density || options.mass)
     throw UsageError("--density and --mass go with a mesh; " + options.file +
                      " says what its bodies weigh");
-  return is_scene ? massesOfScene(options.file) : massesOfUrdf(options.file);
+  return is_urdf ? massesOfUrdf(options.file) : massesOfScene(options.file);
 }
 
 }  // namespace rigid_body_sim

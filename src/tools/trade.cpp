@@ -7,6 +7,7 @@
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
+#include "preface.hpp"
 #include "progress_bar.hpp"
 #include "tool_scene.hpp"
 #include "trade_ladder.hpp"
@@ -49,12 +50,15 @@ void sortLadders(std::vector<Setting>& settings) {
 }
 
 Trade measureTrade(const TradeOptions& options) {
-  const Scene scene = loadToolScene(options.scene, "trade");
+  const Scene scene = loadToolScene(options.scene);
   const World world = buildWorld(scene);
   const State first = initialState(scene, world);
   const std::vector<std::string> integrators = integratorsFor(world, first);
   std::filesystem::create_directories(options.out);
   TradeCsv csv(options.out + "/trade.csv");
+  Preface preface;
+  for (const std::string& notice : scene.notices) preface.add(noticeLine("trade", notice));
+  preface.say();
 
   ProgressBar bar;
   bar.show(0);

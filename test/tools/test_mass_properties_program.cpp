@@ -185,7 +185,7 @@ TEST_F(MassPropertiesProgram, TellsThatItTurnedAMeshAround) {
 
 TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsInput) {
   const std::string text = files_.written("a.txt", "x");
-  expectFailure(text, 1, text + ": mesh file must end in .stl, .obj or .dae, got '.txt'");
+  expectFailure(text, 1, text + ":1: a mapping is expected, got x");
   expectFailure("no.stl", 1, "no.stl: mesh file does not exist");
   expectFailure("no.yaml", 1, "no.yaml: cannot be opened: No such file or directory");
   expectFailure("no.urdf", 1, "no.urdf: cannot be opened: No such file or directory");
@@ -207,6 +207,10 @@ TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsInput) {
 
 TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsUsage) {
   const std::string help = " (mass_properties --help)";
+  // a fault has the one line to itself
+  const Outcome failed = run(path + " --mass 1e-323");  // its inertia is zero
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_EQ(failed.error.find("notice"), std::string::npos) << failed.error;
   expectFailure("", 2, "exactly one file is needed, got 0" + help);
   expectFailure("a.stl b.stl", 2, "exactly one file is needed, got 2" + help);
   expectFailure("a.stl --colour", 2, "unknown option --colour" + help);

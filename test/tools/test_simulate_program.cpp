@@ -11,7 +11,10 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "support/mesh_edits.hpp"
+#include "support/mesh_texts.hpp"
 #include "support/run_command.hpp"
+#include "support/triangulations.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -114,6 +117,27 @@ TEST(Simulate, ExitsWithOneForBadInput) {
   EXPECT_NE(absent.out.find("absent.yaml"), std::string::npos);
   EXPECT_EQ(simulate(sceneFile("time_step: -1\nbodies: []\n") + " 2>&1").exit_code, 1);
   EXPECT_EQ(simulate(scenePath("demo.yaml") + " --csv /dev/full 2>&1").exit_code, 1);
+}
+
+TEST(Simulate, SaysWhatIsAtFaultAndNothingElse) {
+  // a mesh that faces inwards, told of when all is well
+  const std::string mesh = ::testing::TempDir() + "simulate_test_inwards.stl";
+  std::ofstream(mesh, std::ios::binary) << binaryStl(insideOut(triangulated(Box{{1, 1, 1}}, 0)));
+  const std::string body = "bodies: [{name: a, mass: 1, shape: {mesh: {file: " + mesh + "}}}]\n";
+  const std::string good = sceneFile("time_step: 0.1\n" + body);
+  const std::string notice = simulate(good + " 2>&1 >/dev/null").out;
+  EXPECT_EQ(lines(notice).size(), 2U) << notice;
+  EXPECT_NE(notice.find("simulate: notice: "), std::string::npos) << notice;
+  for (const char* output : {" --csv /dev/full", " --bag /dev/full"}) {
+    const Outcome run = simulate(good + output + " 2>&1");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(lines(run.out).size(), 1U) << run.out;
+  }
+  const std::string bad =
+      sceneFile("time_step: 0.1\n" + body + "wrenches: [{body: b, frame: world, duration: 1}]\n");
+  const Outcome run = simulate(bad + " 2>&1");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(lines(run.out).size(), 1U) << run.out;
 }
 
 TEST(Simulate, ExitsWithTwoForWrongUsage) {
