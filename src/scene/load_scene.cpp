@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -68,6 +69,14 @@ void refuseIdleTolerance(const Entry& root, const Scene& scene) {
         .fail("tolerance goes with integrator auto only, got integrator " + scene.integrator);
 }
 
+/// Time is step count times step.
+void refuseUncountableSteps(const Entry& root, const Scene& scene) {
+  if (scene.horizon / scene.time_step <= kMostSteps) return;
+  std::ostringstream rule;
+  rule << "must divide the horizon of " << scene.horizon << " s into at most 2^53 steps";
+  root.child(*root.node().find("time_step")).failRule(rule.str());
+}
+
 /// The scene in a text; context: as for the whole file.
 Scene readScene(const std::string& yaml_text, ReadContext context) {
   const std::vector<Key<Scene>> keys = {
@@ -95,6 +104,7 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
   checkScene(scene);
   return scene;
 }
+  refuseUncountableSteps(root, scene);
 
 }  // namespace
 

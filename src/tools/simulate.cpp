@@ -88,6 +88,8 @@ void run(const SimulateOptions& options) {
   std::unique_ptr<CsvWriter> csv;
   if (options.csv) {
     csv = std::make_unique<CsvWriter>(*options.csv);
+  requireCountable(duration, scene.time_step, "steps");
+  requireCountable(duration, sample, "samples");
     csv->finish();  // the header: a file that takes nothing is told of before the run
   }
   Preface preface;

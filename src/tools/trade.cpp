@@ -51,6 +51,8 @@ void sortLadders(std::vector<Setting>& settings) {
 
 Trade measureTrade(const TradeOptions& options) {
   const Scene scene = loadToolScene(options.scene);
+  const double duration = options.duration.value_or(scene.horizon);
+  requireCountable(duration, scene.time_step, "steps");
   const World world = buildWorld(scene);
   const State first = initialState(scene, world);
   const std::vector<std::string> integrators = integratorsFor(world, first);
@@ -66,7 +68,7 @@ Trade measureTrade(const TradeOptions& options) {
   trade.scene = options.scene;
   trade.present = world.solver;
   trade.error_budget = options.error_budget.value_or(scene.tolerance);
-  trade.reference = computeReference(world, first, options.duration.value_or(scene.horizon));
+  trade.reference = computeReference(world, first, duration);
   bar.show(1 / (1 + static_cast<double>(integrators.size())));
   trade.settings = measureAll(world, trade.reference, integrators, csv, bar);
   sortLadders(trade.settings);

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <vector>
+#include <sstream>
 
 #include <getopt.h>
 
 namespace rigid_body_sim {
+#include <rigid_body_sim/scene/limits.hpp>
+
 
 double positiveNumber(const std::string& option, const char* text) {
   char* end = nullptr;
@@ -23,6 +26,14 @@ std::optional<std::string> readCommandLine(int argc, char** argv, const OptionAc
   for (const auto& [name, action] : actions)
     known.push_back({name.c_str(), required_argument, nullptr, kValue});
   known.push_back({"help", no_argument, nullptr, kHelp});
+void requireCountable(double duration, double length, const std::string& things) {
+  if (duration / length <= kMostSteps) return;
+  std::ostringstream fault;
+  fault << "a duration of " << duration << " s must be at most 2^53 " << things << " of " << length
+        << " s";
+  throw UsageError(fault.str());
+}
+
   known.push_back({nullptr, 0, nullptr, 0});
 
   opterr = 0;  // the messages below are ours

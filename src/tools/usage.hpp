@@ -23,6 +23,10 @@ double positiveNumber(const std::string& option, const char* text);
 /// What takes the value of each option, named without its dashes.
 using OptionActions = std::map<std::string, std::function<void(const char* value)>>;
 
+/// Throws UsageError for a duration of more than kMostSteps of the given length [s]. things: what
+/// each of them is, such as "steps".
+void requireCountable(double duration, double length, const std::string& things);
+
 /// Reads a command line of the given options and one file, which it returns; nothing where --help
 /// is asked for. file_kind: for the message, such as "scene file". Throws UsageError.
 std::optional<std::string> readCommandLine(int argc, char** argv, const OptionActions& actions,

@@ -83,6 +83,18 @@ TEST(SceneKeys, TakeAToleranceWithAutoOnly) {
   EXPECT_EQ(errorOf("integrator: rk4\nhorizon: 3\n" + boxScene()), "");
 }
 
+TEST(SceneKeys, TakeNoMoreStepsThanADoubleCounts) {
+  const std::string rest = "bodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]\n";
+  EXPECT_EQ(errorOf("horizon: 1e300\ntime_step: 0.01\n" + rest),
+            "s.yaml:2: time_step must divide the horizon of 1e+300 s into at most 2^53 steps, got "
+            "0.01");
+  EXPECT_EQ(errorOf("time_step: 1e-320\n" + rest),
+            "s.yaml:1: time_step must divide the horizon of 10 s into at most 2^53 steps, got "
+            "1e-320");
+  EXPECT_EQ(errorOf("time_step: 1\nhorizon: 9007199254740992\n" + rest), "");
+  EXPECT_NE(errorOf("time_step: 1\nhorizon: 9007199254740994\n" + rest), "");
+}
+
 TEST(SceneKeys, NameAnIntegratorOfTheCatalogue) {
   for (const Method& method : catalogue())
     EXPECT_EQ(errorOf("integrator: " + std::string(method.name) + "\n" + boxScene()), "");

@@ -161,12 +161,18 @@ TEST_F(SimulateBags, BagThatCannotBeUsedIsRefusedInOneLine) {
   }
   directory.written("text.bag", "no bag");
   const std::map<std::string, std::string> refusals{
+  {
+    rosbag::Bag bag(path("late.bag"), rosbag::bagmode::Write);
+    bag.write("/box/wrench", ros::Time(900000000), push(1));
+  }
       {"--wrench-bag " + path("absent.bag"), "absent.bag: Error opening file"},
       {"--wrench-bag " + path("text.bag"), "text.bag: "},
       {"--wrench-bag " + path("empty.bag"), "empty.bag: holds no wrench for a body of the scene"},
       {"--wrench-bag " + path("two.bag"), "must hold the inputs of one node, got /a/inputs and"},
       {"--bag " + path("no/such/directory"), "Error opening file"},
       {"--duration 100 --bag /dev/full", "/dev/full: Error writing to file"}};
+      {"--time-step 1e-12 --duration 1e-9 --wrench-bag " + path("late.bag"),
+       "late.bag: holds a message at more than 2^53 steps of the scene"},
   for (const auto& [arguments, line] : refusals) {
     EXPECT_EQ(simulate(scene() + " " + arguments), 1) << arguments;
     EXPECT_NE(said.find(line), std::string::npos) << said;

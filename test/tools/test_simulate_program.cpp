@@ -141,13 +141,21 @@ TEST(Simulate, SaysWhatIsAtFaultAndNothingElse) {
 }
 
 TEST(Simulate, ExitsWithTwoForWrongUsage) {
-  for (const char* arguments :
-       {"", "a.yaml b.yaml", "a.yaml --no-such-option", "a.yaml --duration", "a.yaml --duration 1x",
-        "a.yaml --sample 0", "a.yaml --time-step nan"}) {
-    const Outcome run = simulate(std::string(arguments) + " 2>&1");
+  const std::string demo = scenePath("demo.yaml");
+  for (const std::string& arguments :
+       {std::string(""), std::string("a.yaml b.yaml"), std::string("a.yaml --no-such-option"),
+        std::string("a.yaml --duration"), std::string("a.yaml --duration 1x"),
+        std::string("a.yaml --sample 0"), std::string("a.yaml --time-step nan"),
+        demo + " --integrator bogus", demo + " --integrator rk4 --tolerance 1e-6",
+        demo + " --duration 1e300", demo + " --duration 1e18", demo + " --sample 1e-30",
+        demo + " --integrator rk4 --time-step 1e-20 --duration 1"}) {
+    const Outcome run = simulate(arguments + " 2>&1");
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_EQ(lines(run.out).size(), 1U) << arguments;
   }
+  EXPECT_EQ(simulate(demo + " --duration 1e300 2>&1").out,
+            "simulate: a duration of 1e+300 s must be at most 2^53 steps of 0.001 s "
+            "(simulate --help)\n");
 }
 
 TEST(Simulate, ExitsWithThreeWhenTheSimulationDiverges) {

@@ -116,6 +116,9 @@ TEST(TradeProgram, ExitsWithTwoForWrongUsage) {
   for (const char* arguments : {"", "a.yaml b.yaml", "a.yaml --no-such-option", "a.yaml --out",
                                 "a.yaml --duration 1x", "a.yaml --error-budget 0"})
     EXPECT_EQ(trade(std::string(arguments) + " 2>&1").exit_code, 2) << arguments;
+  const Outcome endless = trade(kScene + " --duration 1e300 --out " + newDirectory() + " 2>&1");
+  EXPECT_EQ(endless.exit_code, 2);
+  EXPECT_NE(endless.out.find("must be at most 2^53 steps"), std::string::npos) << endless.out;
 }
 
 TEST(TradeProgram, ExitsWithThreeWhenTheReferenceDiverges) {

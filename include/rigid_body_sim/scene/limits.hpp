@@ -16,6 +16,7 @@ constexpr std::size_t kMostNameBytes = 255;        ///< of the name of a body or
 constexpr std::size_t kMostBodies = 200000;
 constexpr std::size_t kMostPoints = 10000;  ///< of a body
 constexpr std::size_t kMostForces = 200000;
+constexpr double kMostSteps = 9007199254740992;  ///< 2⁵³: no double counts on by ones from there
 
 constexpr std::size_t kMostUrdfBytes = 16 << 20;
 constexpr std::size_t kMostMeshBytes = 256 << 20;  ///< of STL and OBJ
