@@ -29,7 +29,13 @@ Scene sceneOf(const SimulateOptions& options) {
   scene.time_step = options.time_step.value_or(scene.time_step);
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
   scene.tolerance_stated |= options.tolerance.has_value();
-  scene.integrator = options.integrator.value_or(scene.integrator);
+  if (options.integrator) {
+    scene.integrator = *options.integrator;
+    scene.integrator_line = 0;
+  }
+  if (options.tolerance && scene.integrator != "auto")
+    throw UsageError("--tolerance goes with integrator auto only, got integrator " +
+                     scene.integrator);
   return scene;
 }
 
@@ -82,14 +88,14 @@ void run(const SimulateOptions& options) {
   const Scene scene = sceneOf(options);
   const double duration = options.duration.value_or(scene.horizon);
   const double sample = options.sample.value_or(scene.time_step);
+  requireCountable(duration, scene.time_step, "steps");
+  requireCountable(duration, sample, "samples");
   const World world = buildWorld(scene);
   const State first = initialState(scene, world);
   Simulation simulation(world, first);
   std::unique_ptr<CsvWriter> csv;
   if (options.csv) {
     csv = std::make_unique<CsvWriter>(*options.csv);
-  requireCountable(duration, scene.time_step, "steps");
-  requireCountable(duration, sample, "samples");
     csv->finish();  // the header: a file that takes nothing is told of before the run
   }
   Preface preface;

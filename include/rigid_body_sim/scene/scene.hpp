@@ -137,9 +137,10 @@ struct Scene {
   std::optional<Vector3d> gravity;  ///< [m/s²] none: no gravity
   double time_step = 0;             ///< [s] > 0
   std::string integrator = "auto";  ///< a name of the catalogue
-  double tolerance = 1e-9;          ///< with auto; see SolverOptions
-  bool tolerance_stated = false;    ///< whether the scene names it
-  double horizon = 10;              ///< [s] also how long `simulate` runs
+  int integrator_line = 0;
+  double tolerance = 1e-9;        ///< with auto; see SolverOptions
+  bool tolerance_stated = false;  ///< whether the scene names it
+  double horizon = 10;            ///< [s] also how long `simulate` runs
   std::vector<BodyDef> bodies;
   std::vector<ForceDef> forces;
   std::vector<WrenchDef> wrenches;
