@@ -83,7 +83,11 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
       {"world_frame", [](const Entry& e, Scene& s) { s.world_frame = readWorldFrame(e); }},
       {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
       {"time_step", [](const Entry& e, Scene& s) { s.time_step = readPositive(e, "s"); }, true},
-      {"integrator", [](const Entry& e, Scene& s) { s.integrator = readIntegrator(e); }},
+      {"integrator",
+       [](const Entry& e, Scene& s) {
+         s.integrator = readIntegrator(e);
+         s.integrator_line = e.node().line;
+       }},
       {"tolerance",
        [](const Entry& e, Scene& s) {
          s.tolerance = readPositive(e, "");
@@ -100,11 +104,11 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
   scene.source = context.source;
   readMapping(root, keys, scene);
   refuseIdleTolerance(root, scene);
+  refuseUncountableSteps(root, scene);
   scene.notices = std::move(context.notices);
   checkScene(scene);
   return scene;
 }
-  refuseUncountableSteps(root, scene);
 
 }  // namespace
 

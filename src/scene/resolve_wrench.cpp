@@ -11,10 +11,7 @@ namespace rigid_body_sim {
 namespace {
 
 std::string vectorFault(const char* name, const Vector3d& v) {
-  if (v.allFinite()) return "";
-  std::ostringstream fault;
-  fault << name << " must be finite, got [" << v.x() << ", " << v.y() << ", " << v.z() << "]";
-  return fault.str();
+  return v.allFinite() ? "" : std::string(name) + " must be finite, got " + listed(v);
 }
 
 std::string timeFault(const WrenchDef& wrench) {

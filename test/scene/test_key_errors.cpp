@@ -61,14 +61,14 @@ TEST(SceneKeys, SayOnceWhatABodyIsMadeOf) {
   EXPECT_EQ(errorOf(bodyScene(box)),
             "s.yaml:3: body 'a': missing key 'mass' or 'density' of the shape");
   EXPECT_EQ(errorOf(bodyScene(box + "    mass: 1\n    density: 1\n")),
-            "s.yaml:6: body 'a': density cannot stand beside mass");
+            "s.yaml:6: body 'a': density cannot stand beside mass, got 1");
   EXPECT_EQ(boxError("    inertia: {ixx: 1, iyy: 1, izz: 1}\n"),
-            kAt + "inertia cannot stand beside shape, which gives it");
+            kAt + "inertia cannot stand beside shape, which gives it, got a mapping");
   EXPECT_EQ(boxError("    center_of_mass: [0, 0, 0]\n"),
-            kAt + "center_of_mass cannot stand beside shape, which gives it");
+            kAt + "center_of_mass cannot stand beside shape, which gives it, got [0, 0, 0]");
   EXPECT_EQ(errorOf(bodyScene(given)), "s.yaml:3: body 'a': missing key 'mass'");
   EXPECT_EQ(errorOf(bodyScene(given + "    density: 1\n")),
-            "s.yaml:5: body 'a': density needs a shape");
+            "s.yaml:5: body 'a': density needs a shape, got 1");
   EXPECT_EQ(errorOf(bodyScene("  - name: a\n    shape: {}\n")),
             "s.yaml:4: body 'a': shape must name one shape, got 0");
   EXPECT_EQ(errorOf(bodyScene(
@@ -108,6 +108,10 @@ TEST(SceneKeys, NameAnIntegratorOfTheCatalogue) {
 TEST(SceneNames, AreUnique) {
   EXPECT_EQ(boxError("  - name: box\n    shape: {box: [1, 1, 1]}\n    mass: 1\n"),
             "s.yaml:6: body 'box': name is taken, by the body on line 3");
+  // the line of the name, not of the list item
+  EXPECT_EQ(errorOf(bodyScene("  - mass: 1\n    shape: {box: [1, 1, 1]}\n    name: box\n"
+                              "  - mass: 1\n    name: box\n    shape: {box: [1, 1, 1]}\n")),
+            "s.yaml:7: body 'box': name is taken, by the body on line 5");
 }
 
 TEST(SceneNames, DifferFromTheWorldFrame) {

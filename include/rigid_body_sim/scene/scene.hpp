@@ -20,6 +20,7 @@ struct TwistDef {
   bool in_body_axes = false;            ///< both vectors; else in world axes
   Vector3d linear = Vector3d::Zero();   ///< [m/s]
   Vector3d angular = Vector3d::Zero();  ///< [rad/s]
+  int line = 0;
 };
 
 /// A frame F fixed to a body, named `<body>/<point>`.
@@ -85,7 +86,7 @@ struct BodyDef : SolidDef {
   bool fixed = false;  ///< it never moves
   VisualDef visual;
 
-  int line = 0;
+  int line = 0;         ///< of its name
   int matter_line = 0;  ///< of the key that says what it is made of
 };
 
