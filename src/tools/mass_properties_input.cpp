@@ -9,6 +9,7 @@
 #include <rigid_body_sim/scene/read_urdf.hpp>
 #include <rigid_body_sim/scene/solid_mesh.hpp>
 
+#include "scene_names.hpp"
 #include "tool_scene.hpp"
 #include "usage.hpp"
 
@@ -25,12 +26,7 @@ std::string extensionOf(const std::string& path) {
 
 /// The file's name without its extension, made a name that a scene accepts.
 std::string nameOf(const std::string& path) {
-  std::string name = std::filesystem::path(path).stem().string();
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  const bool begins_with_letter =
-      !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));
-  return begins_with_letter ? name : "mesh_" + name;
+  return sceneName(std::filesystem::path(path).stem().string(), "mesh_");
 }
 
 Masses massOfMesh(const MassPropertiesOptions& options) {
@@ -74,8 +70,8 @@ NamedMass massOfLink(const std::string& path, const UrdfLink& link) {
 Masses massesOfUrdf(const std::string& path) {
   Masses masses;
   for (const UrdfLink& link : readUrdf(path))
-    if (link.mass) masses.push_back(massOfLink(path, link));
-  if (masses.empty()) throw std::runtime_error(path + ": no link has an <inertial>");
+    if (link.mass) masses.bodies.push_back(massOfLink(path, link));
+  if (masses.bodies.empty()) throw std::runtime_error(path + ": no link has an <inertial>");
   return masses;
 }
 

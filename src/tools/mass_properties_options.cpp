@@ -37,7 +37,8 @@ Mass, centre of mass and inertia, with the principal moments and axes, of
   --density X        of a mesh [kg/m^3]; default 1000, and the output says so
   --mass X           of a mesh [kg], in place of a density
   --format text      for people, 10 digits (default)
-           yaml      entries for the `bodies` of a scene, 17 digits: nothing is lost
+           yaml      entries for the `bodies` of a scene, 17 digits: nothing is lost; a name that
+                     a scene does not accept is changed, and the line says so
            urdf      <inertial> elements, 17 digits
   --help             this text
 
