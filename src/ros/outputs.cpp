@@ -66,7 +66,9 @@ void Outputs::publishNow() {
 }
 
 void Outputs::restart() {
-  last_state_stamp_ = last_clock_stamp_ = last_marker_stamp_ = ros::Time();
+  last_state_stamp_.reset();
+  last_clock_stamp_.reset();
+  last_marker_stamp_.reset();
 }
 
 void Outputs::publishMarkers() {

@@ -261,6 +261,7 @@ void SimulationNode::startOver(bool restart_time) {
   outputs_.breakTrails();
   divergence_.clear();
   restartClocks();
+  if (restart_time && !paused_) outputs_.publishDue();  // a run begins with the state at its start
 }
 
 bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {

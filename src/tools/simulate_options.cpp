@@ -49,7 +49,8 @@ and momentum were kept.
   --time-step S      in place of the scene's [s]
   --tolerance X      in place of the scene's, with integrator auto only
   --csv FILE|-       a row for each body and sample; - is the standard output
-  --bag FILE         the topics that the node publishes, with the stamps of a clock from zero
+  --bag FILE         the topics that the node publishes, with the stamps of a clock from zero; not
+                     ~inputs, which come in, nor ~status and /diagnostics, which tell of wall time
   --wrench-bag FILE  repeats the run of a node, to the last bit, by the inputs that a bag has
                      recorded of its topic inputs; without that topic, the wrench messages of the
                      bag at the times of the bag
