@@ -62,6 +62,7 @@ void checkKeys(const Entry& mapping, const std::vector<std::pair<std::string, bo
 template <class Def>
 void readMapping(const Entry& mapping, const std::vector<Key<Def>>& keys, Def& def) {
   std::vector<std::pair<std::string, bool>> known;
+  known.reserve(keys.size());
   for (const Key<Def>& key : keys) known.emplace_back(key.name, key.required);
   checkKeys(mapping, known);
   for (const YamlNode& node : mapping.node().children) {
