@@ -6,7 +6,7 @@ namespace rigid_body_sim {
 
 /// What a scene may hold at most. Each limit is far above what is simulated and low enough that any
 /// file within it, however it was made, is read or refused within a few seconds and a gigabyte or
-/// two; doc/conventions.md has the measurements. One more is refused in one line.
+/// two; doc/robustness.md has the measurements. One more is refused in one line.
 
 constexpr std::size_t kMostSceneBytes = 16 << 20;  ///< of a scene's text
 constexpr std::size_t kMostDepth = 32;             ///< of lists and mappings in one another
