@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/scene.hpp>

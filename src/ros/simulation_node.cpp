@@ -1,7 +1,5 @@
 #include "simulation_node.hpp"
 
-#include <algorithm>
-
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 

@@ -84,14 +84,4 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
   return resolved;
 }
 
-PointWrench wrenchAtFrame(std::size_t body, const Isometry3d& X_PF, const Vector3d& force_F,
-                          const Vector3d& torque_F) {
-  PointWrench applied;
-  applied.body = applied.axes = applied.point_frame = body;
-  applied.force = X_PF.linear() * force_F;
-  applied.torque = X_PF.linear() * torque_F;
-  applied.point = X_PF.translation();
-  return applied;
-}
-
 }  // namespace rigid_body_sim
