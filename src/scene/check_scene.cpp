@@ -1,6 +1,7 @@
 #include <cassert>
 #include <map>
 
+#include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/check_scene.hpp>
 
 #include "message_text.hpp"

@@ -87,6 +87,7 @@ std::string nameRule();
 /// The nearest double; finite. `unit` is for the message; empty: a pure number.
 double readNumber(const Entry& value, const std::string& unit);
 double readPositive(const Entry& value, const std::string& unit);
+double readNotNegative(const Entry& value, const std::string& unit);
 /// > 0, .inf included
 double readDuration(const Entry& value);
 Vector3d readVector3(const Entry& value, const std::string& unit);

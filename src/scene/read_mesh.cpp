@@ -16,12 +16,6 @@
 namespace rigid_body_sim {
 namespace {
 
-std::string extensionOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 /// What can be told before the file is opened.
 std::string fileFault(const std::string& path, const std::string& extension) {
   std::error_code error;

@@ -1,11 +1,11 @@
 #include "mass_properties_input.hpp"
 
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
 #include <rigid_body_sim/scene/check_scene.hpp>
+#include <rigid_body_sim/scene/read_mesh.hpp>
 #include <rigid_body_sim/scene/read_urdf.hpp>
 #include <rigid_body_sim/scene/solid_mesh.hpp>
 
@@ -17,12 +17,6 @@ namespace rigid_body_sim {
 namespace {
 
 constexpr double kDensityOfWater = 1000;
-
-std::string extensionOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// The file's name without its extension, made a name that a scene accepts.
 std::string nameOf(const std::string& path) {

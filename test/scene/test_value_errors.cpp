@@ -111,6 +111,11 @@ TEST(SceneValues, KeepTheirOtherRules) {
             kAt +
                 "orientation must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1, "
                 "got [0, 0, 0, 0]");
+  // off by 1e-3 and no more, on either side
+  EXPECT_EQ(boxError("    orientation: [0, 0, 0, 0.999]\n"), "");
+  EXPECT_EQ(boxError("    orientation: [0, 0, 0, 1.001]\n"), "");
+  EXPECT_NE(boxError("    orientation: [0, 0, 0, 0.9989999]\n"), "");
+  EXPECT_NE(boxError("    orientation: [0, 0, 0, 1.0010001]\n"), "");
   EXPECT_EQ(boxError("    twist: {frame: map}\n"),
             kAt + "twist.frame must be world or body, got map");
   for (const std::string value : {"yes", "True", "1", "\"true\""})
