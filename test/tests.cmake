@@ -89,16 +89,20 @@ rigid_body_gtest(test_node
 
 rigid_body_gtest(test_tools
   SOURCES
+    test/tools/test_help.cpp
     test/tools/test_mass_properties_program.cpp
     test/tools/test_simulate_bags.cpp
     test/tools/test_simulate_program.cpp
   LIBRARIES rigid_body_sim_bag)
 target_compile_definitions(test_tools PRIVATE
   RIGID_BODY_SIM_CONFIG="${PROJECT_SOURCE_DIR}/config"
+  RIGID_BODY_SIM_DEMO_PUSHER="$<TARGET_FILE:demo_pusher>"
   RIGID_BODY_SIM_MASS_PROPERTIES="$<TARGET_FILE:mass_properties>"
+  RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_node>"
   RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:simulate>"
+  RIGID_BODY_SIM_TRADE="$<TARGET_FILE:trade>"
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
-add_dependencies(test_tools mass_properties simulate)
+add_dependencies(test_tools demo_pusher mass_properties rigid_body_node simulate trade)
 
 rigid_body_gtest(test_trade
   SOURCES
@@ -129,12 +133,12 @@ set(driver test/ros/node_driver.cpp test/ros/reference_run.cpp)
 rigid_body_rostest(clock ${driver})
 rigid_body_rostest(doors ${driver})
 rigid_body_rostest(fleet ${driver})
+rigid_body_rostest(launch_files ${driver})
+add_dependencies(test_launch_files demo_pusher)
 rigid_body_rostest(monitor ${driver})
 rigid_body_rostest(process ${driver})
 rigid_body_rostest(replay ${driver})
 target_link_libraries(test_replay rigid_body_sim_bag)
-rigid_body_rostest(launch_files ${driver})
-add_dependencies(test_launch_files demo_pusher)
 add_dependencies(test_replay simulate)
 rigid_body_rostest(reset ${driver})
 rigid_body_rostest(same_bytes ${driver})

@@ -1,15 +1,22 @@
 #include "usage.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <vector>
 #include <sstream>
+#include <vector>
 
 #include <getopt.h>
 
-namespace rigid_body_sim {
 #include <rigid_body_sim/scene/limits.hpp>
 
+namespace rigid_body_sim {
+
+bool asksForHelp(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [](const std::string& argument) {
+    return argument == "--help" || argument == "-h";
+  });
+}
 
 double positiveNumber(const std::string& option, const char* text) {
   char* end = nullptr;
@@ -19,13 +26,6 @@ double positiveNumber(const std::string& option, const char* text) {
   return x;
 }
 
-std::optional<std::string> readCommandLine(int argc, char** argv, const OptionActions& actions,
-                                           const std::string& file_kind) {
-  constexpr int kValue = 1, kHelp = 'h';
-  std::vector<option> known;
-  for (const auto& [name, action] : actions)
-    known.push_back({name.c_str(), required_argument, nullptr, kValue});
-  known.push_back({"help", no_argument, nullptr, kHelp});
 void requireCountable(double duration, double length, const std::string& things) {
   if (duration / length <= kMostSteps) return;
   std::ostringstream fault;
@@ -34,6 +34,13 @@ void requireCountable(double duration, double length, const std::string& things)
   throw UsageError(fault.str());
 }
 
+std::optional<std::string> readCommandLine(int argc, char** argv, const OptionActions& actions,
+                                           const std::string& file_kind) {
+  constexpr int kValue = 1, kHelp = 'h';
+  std::vector<option> known;
+  for (const auto& [name, action] : actions)
+    known.push_back({name.c_str(), required_argument, nullptr, kValue});
+  known.push_back({"help", no_argument, nullptr, kHelp});
   known.push_back({nullptr, 0, nullptr, 0});
 
   opterr = 0;  // the messages below are ours
