@@ -79,6 +79,7 @@ rigid_body_gtest(test_node
     test/ros/test_node_options.cpp
     test/ros/test_outputs.cpp
     test/ros/test_pacing.cpp
+    test/ros/test_refusals.cpp
     test/ros/test_state_requests.cpp
     test/ros/test_static_frames.cpp
     test/ros/test_status.cpp

@@ -176,7 +176,7 @@ void SimulationNode::advance() {
 /// Returns the fault of a request that is refused.
 std::string SimulationNode::take(const WrenchRequest& request) {
   const std::string fault = tryToTake(request);
-  if (!fault.empty()) refusals_.add(fault);
+  if (!fault.empty()) refusals_.add("wrench", fault);
   return fault;
 }
 
