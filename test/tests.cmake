@@ -79,6 +79,7 @@ rigid_body_gtest(test_node
     test/ros/test_node_options.cpp
     test/ros/test_outputs.cpp
     test/ros/test_pacing.cpp
+    test/ros/test_refusals.cpp
     test/ros/test_state_requests.cpp
     test/ros/test_static_frames.cpp
     test/ros/test_status.cpp
@@ -89,16 +90,20 @@ rigid_body_gtest(test_node
 
 rigid_body_gtest(test_tools
   SOURCES
+    test/tools/test_help.cpp
     test/tools/test_mass_properties_program.cpp
     test/tools/test_simulate_bags.cpp
     test/tools/test_simulate_program.cpp
   LIBRARIES rigid_body_sim_bag)
 target_compile_definitions(test_tools PRIVATE
   RIGID_BODY_SIM_CONFIG="${PROJECT_SOURCE_DIR}/config"
+  RIGID_BODY_SIM_DEMO_PUSHER="$<TARGET_FILE:demo_pusher>"
   RIGID_BODY_SIM_MASS_PROPERTIES="$<TARGET_FILE:mass_properties>"
+  RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_node>"
   RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:simulate>"
+  RIGID_BODY_SIM_TRADE="$<TARGET_FILE:trade>"
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
-add_dependencies(test_tools mass_properties simulate)
+add_dependencies(test_tools demo_pusher mass_properties rigid_body_node simulate trade)
 
 rigid_body_gtest(test_trade
   SOURCES
@@ -133,6 +138,8 @@ endfunction()
 rigid_body_rostest(clock)
 rigid_body_rostest(doors)
 rigid_body_rostest(fleet)
+rigid_body_rostest(launch_files)
+add_dependencies(test_launch_files demo_pusher)
 rigid_body_rostest(monitor)
 rigid_body_rostest(process)
 rigid_body_rostest(replay)

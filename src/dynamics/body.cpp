@@ -1,6 +1,7 @@
 #include <utility>
 
 #include <rigid_body_sim/dynamics/body.hpp>
+#include <rigid_body_sim/mass/principal_axes.hpp>
 
 namespace rigid_body_sim {
 

@@ -7,7 +7,7 @@
 namespace rigid_body_sim {
 namespace {
 
-bool isPushed(const World& world, std::size_t body) {
+bool hasWrenches(const World& world, std::size_t body) {
   return std::any_of(world.wrenches.begin(), world.wrenches.end(),
                      [body](const PointWrench& wrench) { return wrench.body == body; });
 }
@@ -31,7 +31,7 @@ std::string whatActs(const World& world, std::size_t body, const std::vector<std
   if (!world.g_W.isZero(0)) acting.push_back("gravity");
   acting.insert(acting.end(), laws.begin(), laws.end());
   if (world.bodies[body].drag.any()) acting.push_back("drag");
-  if (isPushed(world, body)) acting.push_back("wrenches");
+  if (hasWrenches(world, body)) acting.push_back("wrenches");
   if (acting.empty()) return "free";
   std::string text = acting.front();
   for (std::size_t i = 1; i < acting.size(); ++i) text += ", " + acting[i];
@@ -53,7 +53,8 @@ const char* kindOf(const Body& body) {
 /// "asymmetric, exact", "Taylor", "dop853, h <= 0.5 ms (2 parts a step)"
 std::string howSolved(const World& world, std::size_t body, const MethodChoice& choice) {
   if (!choice.method)
-    return isPushed(world, body) ? "Taylor" : std::string(kindOf(world.bodies[body])) + ", exact";
+    return hasWrenches(world, body) ? "Taylor"
+                                    : std::string(kindOf(world.bodies[body])) + ", exact";
   std::ostringstream text;
   const double h = world.solver.time_step / choice.parts;
   text << choice.method->name << ", h <= " << (h < 1 ? 1e3 * h : h) << (h < 1 ? " ms" : " s");

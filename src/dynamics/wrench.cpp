@@ -7,11 +7,6 @@ void applyForce(Wrench& wrench, const BodyState& state, const Vector3d& f_W, con
   wrench.tau_W += ((r_W - state.x_W) - state.x_low_W).cross(f_W);
 }
 
-bool isCoupled(const PointWrench& applied) {
-  const auto foreign = [&](std::size_t frame) { return frame != kWorld && frame != applied.body; };
-  return foreign(applied.axes) || foreign(applied.point_frame);
-}
-
 Vector3d toWorldAxes(const PointWrench& applied, const Vector3d& v,
                      const std::vector<BodyState>& bodies) {
   return applied.axes == kWorld ? v : rotate(bodies[applied.axes].q_WP, v);

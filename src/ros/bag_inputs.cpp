@@ -7,6 +7,8 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include <rigid_body_sim/scene/limits.hpp>
+
 #include "input_messages.hpp"
 #include "node_options.hpp"
 #include "static_frames.hpp"
@@ -80,6 +82,8 @@ class Doors {
   void take(const WrenchRequest& request, const ros::Time& arrival) {
     const double h = world_.solver.time_step;
     const double step = std::ceil(origin_.simulationTime(arrival) / h - 1e-6);
+    if (step > kMostSteps)
+      throw std::invalid_argument("holds a message at more than 2^53 steps of the scene");
     static_frames_.lookUp(request.wrench.frame, frames_);
     static_frames_.lookUp(request.wrench.point_frame, frames_);
     const ResolvedWrench resolved = takeWrench(request, world_.bodies, frames_, rules_, step * h);

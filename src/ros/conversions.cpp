@@ -1,7 +1,6 @@
 #include "conversions.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace rigid_body_sim {
 namespace {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include <geometry_msgs/WrenchStamped.h>
@@ -9,10 +10,18 @@
 #include <tf2_ros/transform_listener.h>
 
 #include "conversions.hpp"
+#include "tools/usage.hpp"
 
 using namespace rigid_body_sim;
 
 namespace {
+
+const char* const kHelp = R"(usage: rosrun rigid_body_sim demo_pusher
+Client of demo.launch: hears box/odom and publishes box/wrench, by which it keeps the box on its
+round. Needs a ROS master, and a rigid_body_node with config/scenes/demo.yaml.
+
+  --help    this text
+)";
 
 /// Client of the demo: for a part of every period it pushes the box at one of its corners, so that
 /// the box flies rounds about the z axis. The corner is the one where the push spins the box up
@@ -111,8 +120,9 @@ class DemoPusher {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (asksForHelp(argc, argv)) return std::fputs(kHelp, stdout) < 0 ? kBadInput : kDone;
   ros::init(argc, argv, "demo_pusher");
   DemoPusher pusher;
   ros::spin();
-  return 0;
+  return kDone;
 }

@@ -21,6 +21,9 @@ class InputReplay {
 
   std::size_t size() const { return inputs_.size(); }
 
+  /// Whether every input has been applied.
+  bool isDone() const { return next_ == inputs_.size(); }
+
  private:
   std::vector<Input> inputs_;
   std::string world_frame_;

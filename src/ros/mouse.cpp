@@ -13,7 +13,7 @@ Mouse::Mouse(const ros::NodeHandle& private_nh, const Scene& scene, const Simula
 
 void Mouse::take(const HandleTopics::Feedback& feedback) {
   const std::string fault = holds_.take(feedback);
-  if (!fault.empty()) refusals_.add(fault);
+  if (!fault.empty()) refusals_.add("mouse feedback", fault);
   // even if the body was let go before: the viewer has dragged its handle away
   if (feedback.event_type == HandleTopics::Feedback::MOUSE_UP)
     topics_.putBack(feedback.marker_name);

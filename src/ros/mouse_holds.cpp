@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include <rigid_body_sim/math/isometry.hpp>
+
 #include "input_messages.hpp"
 
 namespace rigid_body_sim {
@@ -103,10 +105,7 @@ void MouseHolds::note(Hold& hold) const {
   const std::size_t body = hold.spring.body;
   const BodyFrameMotion motion =
       toBodyFrameMotion(simulation_.world().bodies[body], simulation_.state().bodies[body]);
-  Isometry3d X_WB = Isometry3d::Identity();
-  X_WB.linear() = motion.q_WB.toRotationMatrix();
-  X_WB.translation() = motion.x_W;
-  hold.poses.add(inputs_.stamp(), X_WB);
+  hold.poses.add(inputs_.stamp(), isometry(motion.q_WB, motion.x_W));
 }
 
 }  // namespace rigid_body_sim

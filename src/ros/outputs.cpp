@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <rigid_body_sim/math/isometry.hpp>
+
 #include "markers.hpp"
 #include "state_messages.hpp"
 
@@ -11,13 +13,6 @@ namespace {
 
 /// Arrows and trails are for the eye [1/s of simulation time].
 constexpr double kMarkerRate = 30;
-
-Isometry3d poseOf(const PointDef& point) {
-  Isometry3d X_BF = Isometry3d::Identity();
-  X_BF.linear() = point.orientation.toRotationMatrix();
-  X_BF.translation() = point.position;
-  return X_BF;
-}
 
 }  // namespace
 
@@ -45,8 +40,8 @@ void Outputs::publishOnce(const Scene& scene) {
       frames.transforms.push_back(
           toTransform(body, simulation_.state().bodies[i], world_frame_, stamp));
     for (const PointDef& point : scene.bodies[i].points)
-      frames.transforms.push_back(
-          toTransform(poseOf(point), body.name, body.name + "/" + point.name, stamp));
+      frames.transforms.push_back(toTransform(isometry(point.orientation, point.position),
+                                              body.name, body.name + "/" + point.name, stamp));
   }
   if (!frames.transforms.empty()) topics_.tf_static.publish(frames, stamp);
   topics_.markers.publish(toMarkers(scene), stamp);
@@ -66,7 +61,9 @@ void Outputs::publishNow() {
 }
 
 void Outputs::restart() {
-  last_state_stamp_ = last_clock_stamp_ = last_marker_stamp_ = ros::Time();
+  last_state_stamp_.reset();
+  last_clock_stamp_.reset();
+  last_marker_stamp_.reset();
 }
 
 void Outputs::publishMarkers() {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <optional>
 #include <string>
-#include <vector>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/scene.hpp>
@@ -52,9 +52,10 @@ class Outputs {
   Ticker state_ticker_;
   Ticker clock_ticker_;
   Ticker marker_ticker_;
-  ros::Time last_state_stamp_;
-  ros::Time last_clock_stamp_;
-  ros::Time last_marker_stamp_;
+  using LastStamp = std::optional<ros::Time>;  // none yet; zero is a stamp like others
+  LastStamp last_state_stamp_;
+  LastStamp last_clock_stamp_;
+  LastStamp last_marker_stamp_;
   LiveMarkers live_markers_;
 };
 

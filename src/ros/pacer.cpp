@@ -17,9 +17,7 @@ void Pacer::begin(double t, double h, Clock::time_point now) {
   if (!(real_time_factor_ > 0)) return;
   const double late = -wait(t, now);
   if (late > h / real_time_factor_) ++overruns_;
-  if (late <= kBacklogLimit) return;
-  dropped_ += late;
-  restart(t, now);
+  if (late > kBacklogLimit) restart(t, now);
 }
 
 }  // namespace rigid_body_sim

@@ -25,14 +25,12 @@ class Pacer {
   void begin(double t, double h, Clock::time_point now);
 
   std::int64_t overruns() const { return overruns_; }
-  double dropped() const { return dropped_; }  ///< [s] of wall time given up
 
  private:
   double real_time_factor_;
   double origin_t_ = 0;
   Clock::time_point origin_;
   std::int64_t overruns_ = 0;
-  double dropped_ = 0;
 };
 
 }  // namespace rigid_body_sim

@@ -9,7 +9,8 @@ namespace rigid_body_sim {
 /// Counts refused input and warns of it at most once a second of wall time.
 class Refusals {
  public:
-  void add(const std::string& reason);
+  /// what: the kind of input, such as "wrench"; all kinds are counted together.
+  void add(const char* what, const std::string& reason);
 
   std::int64_t count() const { return count_; }
 

@@ -1,7 +1,5 @@
 #include "simulation_node.hpp"
 
-#include <algorithm>
-
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
@@ -178,7 +176,7 @@ void SimulationNode::advance() {
 /// Returns the fault of a request that is refused.
 std::string SimulationNode::take(const WrenchRequest& request) {
   const std::string fault = tryToTake(request);
-  if (!fault.empty()) refusals_.add(fault);
+  if (!fault.empty()) refusals_.add("wrench", fault);
   return fault;
 }
 
@@ -261,6 +259,7 @@ void SimulationNode::startOver(bool restart_time) {
   outputs_.breakTrails();
   divergence_.clear();
   restartClocks();
+  if (restart_time && !paused_) outputs_.publishDue();  // a run begins with the state at its start
 }
 
 bool SimulationNode::setState(SetState::Request& request, SetState::Response& response) {

@@ -1,15 +1,14 @@
 #include "state_requests.hpp"
 
-#include <cmath>
 #include <sstream>
+
+#include <rigid_body_sim/math/rotation.hpp>
 
 #include "body_index.hpp"
 #include "conversions.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-constexpr double kNormTolerance = 1e-3;
 
 /// Fault of the body, and of the axes of its twist.
 std::string namesFault(const std::string& body, const std::string& frame, const World& world,
@@ -24,10 +23,10 @@ std::string finiteFault(const char* name, const Vector3d& v) {
 }
 
 std::string orientationFault(const geometry_msgs::Quaternion& q) {
-  const double norm = Quaterniond(q.w, q.x, q.y, q.z).norm();
-  if (std::abs(norm - 1) <= kNormTolerance) return "";
+  const Quaterniond quaternion(q.w, q.x, q.y, q.z);
+  if (isNearlyUnit(quaternion)) return "";
   std::ostringstream fault;
-  fault << "pose.orientation must be a unit quaternion, got norm " << norm;
+  fault << "pose.orientation must be a unit quaternion, got norm " << quaternion.norm();
   return fault.str();
 }
 

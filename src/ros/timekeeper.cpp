@@ -1,6 +1,7 @@
 #include "timekeeper.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 #include <ros/console.h>
 #include <ros/init.h>
@@ -18,11 +19,25 @@ TimeOrigin Timekeeper::findStart(ros::CallbackQueue& queue) const {
   if (options_.publish_clock) return {ros::Time()};
   if (options_.start_time) return {ros::Time(*options_.start_time)};
   if (clock_) {
-    while (ros::ok() && !clock_->isHeard()) queue.callAvailable(ros::WallDuration(kLongestWait));
+    waitForClock(queue);
     return {clock_->now()};
   }
   const ros::WallTime now = ros::WallTime::now();
   return {ros::Time(now.sec, now.nsec)};
+}
+
+void Timekeeper::waitForClock(ros::CallbackQueue& queue) const {
+  constexpr std::chrono::seconds kSilence(1);
+  const Pacer::Clock::time_point begin = Pacer::Clock::now();
+  bool told = false;
+  while (ros::ok() && !clock_->isHeard()) {
+    queue.callAvailable(ros::WallDuration(kLongestWait));
+    if (told || Pacer::Clock::now() - begin < kSilence) continue;
+    told = true;
+    ROS_WARN(
+        "waiting for /clock: /use_sim_time is true, ~publish_clock false, and nobody sends it; "
+        "topics and services come up once it is heard");
+  }
 }
 
 void Timekeeper::restart(double t) { pacer_.restart(t, Pacer::Clock::now()); }

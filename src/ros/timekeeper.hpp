@@ -17,7 +17,8 @@ namespace rigid_body_sim {
 /// clock is never passed; a step that it has left behind is taken at once, and none is dropped.
 class Timekeeper {
  public:
-  /// Waits for a clock that is followed from where it is first heard, or for ROS to shut down. The
+  /// Waits for a clock that is followed from where it is first heard, or for ROS to shut down, and
+  /// says so after a second: before, there is no stamp to give and no start to count from. The
   /// queue, which outlives this, is that of the handle.
   Timekeeper(const NodeOptions& options, const ros::NodeHandle& nh, ros::CallbackQueue& queue);
 
@@ -47,6 +48,7 @@ class Timekeeper {
 
  private:
   TimeOrigin findStart(ros::CallbackQueue& queue) const;
+  void waitForClock(ros::CallbackQueue& queue) const;
 
   NodeOptions options_;
   Pacer pacer_;

@@ -9,10 +9,14 @@
 namespace rigid_body_sim {
 namespace {
 
-/// The slot is kept with every wrench that acts or is to come.
+/// The slot, "id <id>" or "frame <frame_id>", is kept with every wrench that acts or is to come.
 std::string slotFault(const WrenchRequest& request) {
-  if (request.slot.size() <= kMostTextBytes) return "";
-  return "id must be shorter than " + std::to_string(kMostTextBytes) + " bytes";
+  const std::size_t kind = request.slot.find(' ');
+  if (kind == std::string::npos) return "";  // none
+  const std::size_t bytes = request.slot.size() - kind - 1;
+  if (bytes <= kMostTextBytes) return "";
+  return request.slot.substr(0, kind) + " must have at most " + std::to_string(kMostTextBytes) +
+         " bytes, got " + std::to_string(bytes);
 }
 
 std::string durationFault(const WrenchRequest& request) {

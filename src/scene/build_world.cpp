@@ -37,7 +37,7 @@ void checkIntegrator(const Scene& scene, const World& world) {
   try {
     requireTaken(world);
   } catch (const std::invalid_argument& refused) {
-    throw SceneError(scene.source, 0, refused.what());
+    throw SceneError(scene.source, scene.integrator_line, refused.what());
   }
 }
 

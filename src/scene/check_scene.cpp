@@ -1,9 +1,10 @@
 #include <cassert>
 #include <map>
 
+#include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/check_scene.hpp>
 
-#include "isometry.hpp"
+#include "message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -37,8 +38,10 @@ void checkMassProperties(const Scene& scene, const BodyDef& body) {
 void checkMotion(const Scene& scene, const BodyDef& body) {
   const bool moves = !body.twist.linear.isZero(0) || !body.twist.angular.isZero(0);
   if (body.fixed && moves)
-    throw SceneError(scene.source, body.line,
-                     "body '" + body.name + "': twist must be zero, for the body is fixed");
+    throw SceneError(scene.source, body.twist.line,
+                     "body '" + body.name + "': twist must be zero, for the body is fixed, got " +
+                         listed(body.twist.linear) + " m/s, " + listed(body.twist.angular) +
+                         " rad/s");
 }
 
 std::vector<MassProperties> placedParts(const std::vector<PartDef>& parts) {

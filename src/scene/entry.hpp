@@ -62,6 +62,7 @@ void checkKeys(const Entry& mapping, const std::vector<std::pair<std::string, bo
 template <class Def>
 void readMapping(const Entry& mapping, const std::vector<Key<Def>>& keys, Def& def) {
   std::vector<std::pair<std::string, bool>> known;
+  known.reserve(keys.size());
   for (const Key<Def>& key : keys) known.emplace_back(key.name, key.required);
   checkKeys(mapping, known);
   for (const YamlNode& node : mapping.node().children) {
@@ -86,6 +87,7 @@ std::string nameRule();
 /// The nearest double; finite. `unit` is for the message; empty: a pure number.
 double readNumber(const Entry& value, const std::string& unit);
 double readPositive(const Entry& value, const std::string& unit);
+double readNotNegative(const Entry& value, const std::string& unit);
 /// > 0, .inf included
 double readDuration(const Entry& value);
 Vector3d readVector3(const Entry& value, const std::string& unit);

@@ -1,6 +1,6 @@
+#include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
 
-#include "isometry.hpp"
 #include "message_text.hpp"
 
 namespace rigid_body_sim {

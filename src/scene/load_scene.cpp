@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -68,13 +69,25 @@ void refuseIdleTolerance(const Entry& root, const Scene& scene) {
         .fail("tolerance goes with integrator auto only, got integrator " + scene.integrator);
 }
 
+/// Time is step count times step.
+void refuseUncountableSteps(const Entry& root, const Scene& scene) {
+  if (scene.horizon / scene.time_step <= kMostSteps) return;
+  std::ostringstream rule;
+  rule << "must divide the horizon of " << scene.horizon << " s into at most 2^53 steps";
+  root.child(*root.node().find("time_step")).failRule(rule.str());
+}
+
 /// The scene in a text; context: as for the whole file.
 Scene readScene(const std::string& yaml_text, ReadContext context) {
   const std::vector<Key<Scene>> keys = {
       {"world_frame", [](const Entry& e, Scene& s) { s.world_frame = readWorldFrame(e); }},
       {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
       {"time_step", [](const Entry& e, Scene& s) { s.time_step = readPositive(e, "s"); }, true},
-      {"integrator", [](const Entry& e, Scene& s) { s.integrator = readIntegrator(e); }},
+      {"integrator",
+       [](const Entry& e, Scene& s) {
+         s.integrator = readIntegrator(e);
+         s.integrator_line = e.node().line;
+       }},
       {"tolerance",
        [](const Entry& e, Scene& s) {
          s.tolerance = readPositive(e, "");
@@ -91,6 +104,7 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
   scene.source = context.source;
   readMapping(root, keys, scene);
   refuseIdleTolerance(root, scene);
+  refuseUncountableSteps(root, scene);
   scene.notices = std::move(context.notices);
   checkScene(scene);
   return scene;

@@ -1,6 +1,7 @@
 #include "message_text.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 namespace rigid_body_sim {
 
@@ -14,6 +15,12 @@ std::string printable(const std::string& text) {
   constexpr std::size_t kMaxLength = 60;
   const std::string line = oneLine(text.substr(0, kMaxLength));
   return text.size() > kMaxLength ? line + "..." : line;
+}
+
+std::string listed(const Vector3d& v) {
+  std::ostringstream text;
+  text << "[" << v.x() << ", " << v.y() << ", " << v.z() << "]";
+  return text.str();
 }
 
 std::string nameList(const std::vector<std::string>& names) {

@@ -20,6 +20,7 @@ TwistDef readTwist(const Entry& entry) {
       {"angular", [](const Entry& e, TwistDef& t) { t.angular = readVector3(e, "rad/s"); }},
   };
   TwistDef twist;
+  twist.line = entry.node().line;
   readMapping(entry, keys, twist);
   return twist;
 }
@@ -66,6 +67,11 @@ VisualDef readVisual(const Entry& entry) {
   return visual;
 }
 
+void readBodyName(const Entry& value, BodyDef& body) {
+  body.name = readName(value);
+  body.line = value.node().line;
+}
+
 /// The body by its name as far as it can be told, else by its place in the list.
 std::string placeOf(const Entry& entry) {
   const YamlNode* name = entry.node().find("name");
@@ -76,7 +82,7 @@ std::string placeOf(const Entry& entry) {
 
 BodyDef readBody(const Entry& list_item) {
   const std::vector<Key<BodyDef>> keys = {
-      {"name", [](const Entry& e, BodyDef& b) { b.name = readName(e); }, true},
+      {"name", readBodyName, true},
       {"shape", [](const Entry& e, BodyDef& b) { readSolid(e, b); }},
       {"mass", [](const Entry& e, BodyDef& b) { b.mass = readPositive(e, "kg"); }},
       {"density", [](const Entry& e, BodyDef& b) { b.density = readPositive(e, "kg/m^3"); }},
@@ -97,7 +103,6 @@ BodyDef readBody(const Entry& list_item) {
   const Entry entry = list_item.as(placeOf(list_item));
   BodyDef body;
   readMapping(entry, keys, body);
-  body.line = entry.node().line;
   body.matter_line = checkMatter(entry, body);
   return body;
 }

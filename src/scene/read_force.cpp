@@ -3,12 +3,6 @@
 namespace rigid_body_sim {
 namespace {
 
-double readNotNegative(const Entry& value, const std::string& unit) {
-  const double number = readNumber(value, unit);
-  if (!(number >= 0)) value.failRule("must be >= 0 " + unit);
-  return number;
-}
-
 SpringEndDef readEnd(const Entry& entry) {
   const std::vector<Key<SpringEndDef>> keys = {
       {"body", [](const Entry& e, SpringEndDef& s) { s.body = readText(e); }},

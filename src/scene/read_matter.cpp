@@ -62,8 +62,7 @@ Particles readParticles(const Entry& entry) {
 
 void checkSolid(const Entry& entry, const SolidDef& solid) {
   const YamlNode* density = entry.node().find("density");
-  if (solid.mass && density)
-    entry.child(*density).fail(entry.child(*density).key() + " cannot stand beside mass");
+  if (solid.mass && density) entry.child(*density).failRule("cannot stand beside mass");
   if (!solid.mass && !solid.density)
     entry.fail((entry.key().empty() ? "" : entry.key() + ": ") +
                "missing key 'mass' or 'density' of the shape");
@@ -75,8 +74,8 @@ int checkMatter(const Entry& entry, const BodyDef& body) {
   for (const char* way : {"shape", "parts", "particles", "urdf", "inertia"}) {
     const YamlNode* node = entry.node().find(way);
     if (node && matter && node->key != "inertia")
-      entry.child(*node).fail(node->key + " cannot stand beside " + matter->key +
-                              ": a body is made of one of them");
+      entry.child(*node).failRule("cannot stand beside " + matter->key +
+                                  ", as a body is made of one of them");
     if (!matter) matter = node;
   }
   if (!matter)
@@ -84,9 +83,8 @@ int checkMatter(const Entry& entry, const BodyDef& body) {
         "missing what the body is made of: shape, with mass or density; mass and inertia; parts; "
         "particles; or urdf");
 
-  const auto refuse = [&](const char* key, const std::string& reason) {
-    if (const YamlNode* node = entry.node().find(key))
-      entry.child(*node).fail(std::string(key) + " " + reason);
+  const auto refuse = [&](const char* key, const std::string& rule) {
+    if (const YamlNode* node = entry.node().find(key)) entry.child(*node).failRule(rule);
   };
   if (matter->key == "inertia") {
     refuse("density", "needs a shape");

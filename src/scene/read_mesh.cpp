@@ -16,12 +16,6 @@
 namespace rigid_body_sim {
 namespace {
 
-std::string extensionOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 /// What can be told before the file is opened.
 std::string fileFault(const std::string& path, const std::string& extension) {
   std::error_code error;
@@ -49,15 +43,13 @@ std::string meshFault(const TriangleMesh& mesh) {
   return fault.str();
 }
 
-/// Every length multiplied by scale; where that mirrors, triangles are turned round, for they would
-/// come out facing inwards.
-void applyScale(double scale, TriangleMesh& mesh) {
-  for (Vector3d& v : mesh.vertices) v *= scale;
-  if (scale > 0) return;
-  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
-}
-
 }  // namespace
+
+std::string extensionOf(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
 
 TriangleMesh readMesh(const std::string& path, double scale) {
   const std::string extension = extensionOf(path);
@@ -74,7 +66,7 @@ TriangleMesh readMesh(const std::string& path, double scale) {
     }
   }
   if (!fault.empty()) throw std::runtime_error(path + ": " + fault);
-  applyScale(scale, mesh);
+  for (Vector3d& v : mesh.vertices) v *= scale;
   return mesh;
 }
 

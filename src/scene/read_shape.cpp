@@ -20,16 +20,10 @@ Shape readSphere(const Entry& value) {
   return sphere;
 }
 
-double readCapsuleLength(const Entry& value) {
-  const double length = readNumber(value, "m");
-  if (length < 0) value.failRule("must be >= 0 m");
-  return length;
-}
-
 Shape readCapsule(const Entry& value) {
   const std::vector<Key<Capsule>> keys = {
       {"radius", [](const Entry& e, Capsule& c) { c.radius = readPositive(e, "m"); }, true},
-      {"length", [](const Entry& e, Capsule& c) { c.length = readCapsuleLength(e); }, true},
+      {"length", [](const Entry& e, Capsule& c) { c.length = readNotNegative(e, "m"); }, true},
   };
   Capsule capsule{};
   readMapping(value, keys, capsule);

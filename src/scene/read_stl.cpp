@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 #include "word_reader.hpp"
 
@@ -17,13 +18,19 @@ constexpr std::size_t kHeader = 84;
 constexpr std::size_t kTriangle = 50;
 constexpr std::size_t kVector = 12;
 
+/// Keywords are written in either case.
+bool isWord(std::string_view word, std::string_view lower_case) {
+  const auto matches = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; };
+  return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(), matches);
+}
+
 /// Binary files too may begin with "solid", but text holds no zero byte; a count has one below 2²⁴
 /// triangles.
 bool isAscii(const std::string& bytes) {
-  const std::string start = bytes.substr(0, kHeader);
+  const std::string_view start = std::string_view(bytes).substr(0, kHeader);
   const std::size_t text = start.find_first_not_of(" \t\r\n");
-  return text != std::string::npos && start.compare(text, 5, "solid") == 0 &&
-         start.find('\0') == std::string::npos;
+  return text != std::string_view::npos && isWord(start.substr(text, 5), "solid") &&
+         start.find('\0') == std::string_view::npos;
 }
 
 /// Little-endian bytes, on any machine.
@@ -67,11 +74,6 @@ TriangleMesh readBinary(const std::string& bytes) {
     addTriangle(mesh);
   }
   return mesh;
-}
-
-bool isWord(std::string_view word, std::string_view lower_case) {
-  const auto matches = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; };
-  return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(), matches);
 }
 
 class AsciiReader {

@@ -4,11 +4,11 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/limits.hpp>
 #include <rigid_body_sim/scene/read_urdf.hpp>
 
 #include "file_reference.hpp"
-#include "isometry.hpp"
 #include "message_text.hpp"
 #include "read_file.hpp"
 #include "xml_fault.hpp"

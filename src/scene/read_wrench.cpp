@@ -1,15 +1,6 @@
 #include "readers.hpp"
 
 namespace rigid_body_sim {
-namespace {
-
-double readStart(const Entry& value) {
-  const double start = readNumber(value, "s");
-  if (start < 0) value.failRule("must be >= 0 s");
-  return start;
-}
-
-}  // namespace
 
 WrenchDef readWrench(const Entry& list_item) {
   const std::vector<Key<WrenchDef>> keys = {
@@ -19,7 +10,7 @@ WrenchDef readWrench(const Entry& list_item) {
       {"frame", [](const Entry& e, WrenchDef& w) { w.frame = readText(e); }, true},
       {"force", [](const Entry& e, WrenchDef& w) { w.force = readVector3(e, "N"); }},
       {"torque", [](const Entry& e, WrenchDef& w) { w.torque = readVector3(e, "N m"); }},
-      {"start", [](const Entry& e, WrenchDef& w) { w.start = readStart(e); }},
+      {"start", [](const Entry& e, WrenchDef& w) { w.start = readNotNegative(e, "s"); }},
       {"duration", [](const Entry& e, WrenchDef& w) { w.duration = readDuration(e); }, true},
   };
   const Entry entry = list_item.as(list_item.key());

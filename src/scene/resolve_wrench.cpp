@@ -11,10 +11,7 @@ namespace rigid_body_sim {
 namespace {
 
 std::string vectorFault(const char* name, const Vector3d& v) {
-  if (v.allFinite()) return "";
-  std::ostringstream fault;
-  fault << name << " must be finite, got [" << v.x() << ", " << v.y() << ", " << v.z() << "]";
-  return fault.str();
+  return v.allFinite() ? "" : std::string(name) + " must be finite, got " + listed(v);
 }
 
 std::string timeFault(const WrenchDef& wrench) {
@@ -85,16 +82,6 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
   // what is finite in its own frame may not be so in another
   resolved.fault = finiteFault(applied.point, applied.force, applied.torque);
   return resolved;
-}
-
-PointWrench wrenchAtFrame(std::size_t body, const Isometry3d& X_PF, const Vector3d& force_F,
-                          const Vector3d& torque_F) {
-  PointWrench applied;
-  applied.body = applied.axes = applied.point_frame = body;
-  applied.force = X_PF.linear() * force_F;
-  applied.torque = X_PF.linear() * torque_F;
-  applied.point = X_PF.translation();
-  return applied;
 }
 
 }  // namespace rigid_body_sim

@@ -4,6 +4,7 @@
 #include <optional>
 #include <sstream>
 
+#include <rigid_body_sim/math/rotation.hpp>
 #include <rigid_body_sim/scene/limits.hpp>
 
 #include "entry.hpp"
@@ -109,6 +110,12 @@ double readPositive(const Entry& value, const std::string& unit) {
   return number;
 }
 
+double readNotNegative(const Entry& value, const std::string& unit) {
+  const double number = readNumber(value, unit);
+  if (!(number >= 0)) value.failRule("must be >= 0 " + unit);
+  return number;
+}
+
 double readDuration(const Entry& value) {
   const std::optional<double> number = numberIn(value.node());
   if (!number) value.failRule("must be a number [s]");
@@ -134,8 +141,7 @@ Vector3d readVector3(const Entry& value, const std::string& unit) {
 Quaterniond readQuaternion(const Entry& value) {
   const std::vector<double> q = readNumbers(value, 4, "");
   const Quaterniond quaternion(q[3], q[0], q[1], q[2]);
-  const double norm = quaternion.coeffs().stableNorm();
-  if (!(std::abs(norm - 1) <= 1e-3))
+  if (!isNearlyUnit(quaternion))
     value.failRule("must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1");
   return quaternion.normalized();
 }

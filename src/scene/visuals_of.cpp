@@ -2,10 +2,9 @@
 #include <cmath>
 
 #include <rigid_body_sim/mass/principal_axes.hpp>
+#include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/check_scene.hpp>
 #include <rigid_body_sim/scene/visuals_of.hpp>
-
-#include "isometry.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -1,10 +1,23 @@
 #include "bag_output.hpp"
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <stdexcept>
 
 #include "bag_transport.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+/// A file that takes nothing is told of before the run: rosbag notices once its buffers are full.
+void requireWritable(const std::string& path) {
+  std::ofstream probe(path);  // whether it can be opened is left to rosbag
+  if (probe && !(probe << '\n' << std::flush))
+    throw std::runtime_error(std::string("Error writing to file: ") + std::strerror(errno));
+}
+
+}  // namespace
 
 BagOutput::BagOutput(const std::string& path, double rate, const Scene& scene,
                      const Simulation& simulation)
@@ -13,6 +26,7 @@ BagOutput::BagOutput(const std::string& path, double rate, const Scene& scene,
   options.publish_clock = true;
   options.publish_rate = rate;
   guarded([&] {
+    requireWritable(path);
     bag_->open(path, rosbag::bagmode::Write);
     BagTransport transport(*bag_);
     outputs_ =

@@ -3,17 +3,26 @@
 #include <exception>
 
 #include "mass_properties_formats.hpp"
+#include "preface.hpp"
+#include "tool_scene.hpp"
 #include "usage.hpp"
 
 int main(int argc, char** argv) {
   using namespace rigid_body_sim;
   try {
     const MassPropertiesOptions options = parseMassPropertiesOptions(argc, argv);
+    const Masses masses = options.help ? Masses() : readMasses(options);
     const std::string out =
-        options.help ? massPropertiesHelp() : formatted(readMasses(options), options.format);
-    if (std::fputs(out.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return kDone;
-    std::perror("mass_properties: standard output");
-    return kBadInput;
+        options.help ? massPropertiesHelp() : formatted(masses.bodies, options.format);
+    if (std::fputs(out.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+      std::perror("mass_properties: standard output");
+      return kBadInput;
+    }
+    Preface preface;
+    for (const std::string& notice : masses.notices)
+      preface.add(noticeLine("mass_properties", notice));
+    preface.say();
+    return kDone;
   } catch (const UsageError& error) {
     std::fprintf(stderr, "mass_properties: %s (mass_properties --help)\n", error.what());
     return kWrongUsage;

@@ -5,6 +5,8 @@
 
 #include <rigid_body_sim/mass/principal_axes.hpp>
 
+#include "scene_names.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -52,16 +54,36 @@ std::string inertiaEntries(const Matrix3d& I, const std::string& separator, cons
          entry("ixz", at(0, 2)) + separator + entry("iyz", at(1, 2));
 }
 
-std::string yaml(const NamedMass& body) {
+/// What a comment says of a body that goes by another name in a scene.
+std::string renamed(std::string name) {
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  return name + " in the file";
+}
+
+/// scene_name: the body's own, or one that a scene accepts in its place.
+std::string yaml(const NamedMass& body, const std::string& scene_name) {
   const auto entry = [](const std::string& name, const std::string& value) {
     return name + ": " + value;
   };
   std::ostringstream lines;
-  lines << "  - name: " << body.name << (body.remark.empty() ? "" : "  # " + body.remark) << "\n"
+  const std::string remark = scene_name == body.name ? body.remark : renamed(body.name);
+  lines << "  - name: " << scene_name << (remark.empty() ? "" : "  # " + remark) << "\n"
         << "    mass: " << number(body.mass.mass, kAllDigits) << "\n"
         << "    center_of_mass: [" << numbers(body.mass.com_B, kAllDigits, ", ") << "]\n"
         << "    inertia: {" << inertiaEntries(body.mass.I_Bcm, ", ", entry) << "}\n";
   return lines.str();
+}
+
+/// Bodies as a scene takes them; only the links of a robot may bear names that it does not.
+std::string yaml(const std::vector<NamedMass>& masses) {
+  std::vector<std::string> names;
+  names.reserve(masses.size());
+  for (const NamedMass& body : masses) names.push_back(body.name);
+  const std::vector<std::string> accepted = sceneNamesOfLinks(names);
+  std::string all = "bodies:\n";
+  for (std::size_t i = 0; i < masses.size(); ++i) all += yaml(masses[i], accepted[i]);
+  return all;
 }
 
 /// A name as an XML comment can hold it.
@@ -87,12 +109,9 @@ std::string urdf(const NamedMass& body) {
 }  // namespace
 
 std::string formatted(const std::vector<NamedMass>& masses, MassFormat format) {
-  std::string all = format == MassFormat::kYaml ? "bodies:\n" : "";
-  for (const NamedMass& body : masses) {
-    if (format == MassFormat::kText) all += text(body);
-    if (format == MassFormat::kYaml) all += yaml(body);
-    if (format == MassFormat::kUrdf) all += urdf(body);
-  }
+  if (format == MassFormat::kYaml) return yaml(masses);
+  std::string all;
+  for (const NamedMass& body : masses) all += format == MassFormat::kText ? text(body) : urdf(body);
   return all;
 }
 

@@ -1,42 +1,30 @@
 #include "mass_properties_input.hpp"
 
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
 #include <rigid_body_sim/scene/check_scene.hpp>
+#include <rigid_body_sim/scene/read_mesh.hpp>
 #include <rigid_body_sim/scene/read_urdf.hpp>
 #include <rigid_body_sim/scene/solid_mesh.hpp>
 
+#include "scene_names.hpp"
 #include "tool_scene.hpp"
 #include "usage.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-const std::string kProgram = "mass_properties";
 constexpr double kDensityOfWater = 1000;
-
-std::string extensionOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// The file's name without its extension, made a name that a scene accepts.
 std::string nameOf(const std::string& path) {
-  std::string name = std::filesystem::path(path).stem().string();
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  const bool begins_with_letter =
-      !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));
-  return begins_with_letter ? name : "mesh_" + name;
+  return sceneName(std::filesystem::path(path).stem().string(), "mesh_");
 }
 
-NamedMass massOfMesh(const MassPropertiesOptions& options) {
+Masses massOfMesh(const MassPropertiesOptions& options) {
   const SolidMesh solid = readSolidMesh(options.file, 1);
-  if (!solid.notice.empty()) printNotice(kProgram, solid.notice);
   SolidDef def;
   def.mesh = solid.def;
   def.mass = options.mass;
@@ -51,13 +39,18 @@ NamedMass massOfMesh(const MassPropertiesOptions& options) {
          << " kg/m^3";
   if (!options.mass && !options.density)
     remark << " (assumed: neither --density nor --mass is given)";
-  return {nameOf(options.file), remark.str(), mass};
+  Masses masses;
+  masses.bodies.push_back({nameOf(options.file), remark.str(), mass});
+  if (!solid.notice.empty()) masses.notices.push_back(solid.notice);
+  return masses;
 }
 
-std::vector<NamedMass> massesOfScene(const std::string& path) {
-  std::vector<NamedMass> masses;
-  for (const BodyDef& body : loadToolScene(path, kProgram).bodies)
-    masses.push_back({body.name, "", massProperties(body)});
+Masses massesOfScene(const std::string& path) {
+  const Scene scene = loadToolScene(path);
+  Masses masses;
+  masses.notices = scene.notices;
+  for (const BodyDef& body : scene.bodies)
+    masses.bodies.push_back({body.name, "", massProperties(body)});
   return masses;
 }
 
@@ -68,25 +61,25 @@ NamedMass massOfLink(const std::string& path, const UrdfLink& link) {
   return {link.name, "", *link.mass};
 }
 
-std::vector<NamedMass> massesOfUrdf(const std::string& path) {
-  std::vector<NamedMass> masses;
+Masses massesOfUrdf(const std::string& path) {
+  Masses masses;
   for (const UrdfLink& link : readUrdf(path))
-    if (link.mass) masses.push_back(massOfLink(path, link));
-  if (masses.empty()) throw std::runtime_error(path + ": no link has an <inertial>");
+    if (link.mass) masses.bodies.push_back(massOfLink(path, link));
+  if (masses.bodies.empty()) throw std::runtime_error(path + ": no link has an <inertial>");
   return masses;
 }
 
 }  // namespace
 
-std::vector<NamedMass> readMasses(const MassPropertiesOptions& options) {
+Masses readMasses(const MassPropertiesOptions& options) {
   const std::string extension = extensionOf(options.file);
-  const bool is_scene = extension == ".yaml" || extension == ".yml";
+  const bool is_mesh = extension == ".stl" || extension == ".obj" || extension == ".dae";
   const bool is_urdf = extension == ".urdf" || extension == ".xml";
-  if (!is_scene && !is_urdf) return {massOfMesh(options)};
+  if (is_mesh) return massOfMesh(options);
   if (options.density || options.mass)
     throw UsageError("--density and --mass go with a mesh; " + options.file +
                      " says what its bodies weigh");
-  return is_scene ? massesOfScene(options.file) : massesOfUrdf(options.file);
+  return is_urdf ? massesOfUrdf(options.file) : massesOfScene(options.file);
 }
 
 }  // namespace rigid_body_sim

@@ -16,9 +16,15 @@ struct NamedMass {
   MassProperties mass;
 };
 
-/// The bodies of the file that the command line names, told apart by its extension. What a reader
-/// put right goes to standard error. Throws std::runtime_error for a file at fault, a mass that no
-/// body can have included, and UsageError for a density or mass that does not go with the file.
-std::vector<NamedMass> readMasses(const MassPropertiesOptions& options);
+/// What a file holds.
+struct Masses {
+  std::vector<NamedMass> bodies;
+  std::vector<std::string> notices;  ///< what its reader put right
+};
+
+/// The bodies of the file that the command line names, told apart by its extension. Throws
+/// std::runtime_error for a file at fault, a mass that no body can have included, and UsageError
+/// for a density or mass that does not go with the file.
+Masses readMasses(const MassPropertiesOptions& options);
 
 }  // namespace rigid_body_sim

@@ -31,13 +31,14 @@ std::string massPropertiesHelp() {
   return R"(usage: mass_properties FILE [options]
 Mass, centre of mass and inertia, with the principal moments and axes, of
   a mesh (.stl, .obj, .dae): the homogeneous solid within its surface, which must be closed;
-  a scene (.yaml, .yml): every body;
-  a URDF file (.urdf, .xml): every link with an <inertial>.
+  a URDF file (.urdf, .xml): every link with an <inertial>;
+  a scene (any other name): every body.
 
   --density X        of a mesh [kg/m^3]; default 1000, and the output says so
   --mass X           of a mesh [kg], in place of a density
   --format text      for people, 10 digits (default)
-           yaml      entries for the `bodies` of a scene, 17 digits: nothing is lost
+           yaml      entries for the `bodies` of a scene, 17 digits: nothing is lost; a name that
+                     a scene does not accept is changed, and the line says so
            urdf      <inertial> elements, 17 digits
   --help             this text
 

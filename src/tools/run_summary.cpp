@@ -13,7 +13,7 @@ std::string text(const Vector3d& v) { return formatted("(%.4g, %.4g, %.4g)", v.x
 double ratio(double difference, double scale) { return difference == 0 ? 0 : difference / scale; }
 
 /// By a wrench, by drag or by a law of force.
-bool isPushed(const World& world, std::size_t body, double t_end) {
+bool isActedOn(const World& world, std::size_t body, double t_end) {
   const auto acts_on_it = [body](const auto& law) {
     const std::vector<std::size_t> members = law->members();
     return std::find(members.begin(), members.end(), body) != members.end();
@@ -68,8 +68,8 @@ std::string runSummary(const World& world, const State& first, const State& last
     const Balance a(body, first.bodies[i], world.g_W);
     const Balance b(body, last.bodies[i], world.g_W);
     const Vector3d weight_impulse = body.mass * (last.t - first.t) * world.g_W;
-    summary += isPushed(world, i, last.t) ? pushedText(a, b, weight_impulse)
-                                          : keptText(a, b, weight_impulse);
+    summary += isActedOn(world, i, last.t) ? pushedText(a, b, weight_impulse)
+                                           : keptText(a, b, weight_impulse);
   }
   if (!world.laws.empty()) {
     const double energy = mechanicalEnergy(world, last);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
@@ -10,6 +11,7 @@
 #include "bag_output.hpp"
 #include "csv_writer.hpp"
 #include "input_replay.hpp"
+#include "preface.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "simulate_options.hpp"
@@ -23,18 +25,24 @@ namespace {
 constexpr double kBagSample = 0.01;  // [s] as the node publishes by default
 
 Scene sceneOf(const SimulateOptions& options) {
-  Scene scene = loadToolScene(options.scene, "simulate");
+  Scene scene = loadToolScene(options.scene);
   scene.time_step = options.time_step.value_or(scene.time_step);
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
   scene.tolerance_stated |= options.tolerance.has_value();
-  scene.integrator = options.integrator.value_or(scene.integrator);
+  if (options.integrator) {
+    scene.integrator = *options.integrator;
+    scene.integrator_line = 0;
+  }
+  if (options.tolerance && scene.integrator != "auto")
+    throw UsageError("--tolerance goes with integrator auto only, got integrator " +
+                     scene.integrator);
   return scene;
 }
 
 std::unique_ptr<InputReplay> replayOf(const std::string& path, const Scene& scene,
-                                      const World& world) {
+                                      const World& world, Preface& preface) {
   const BagInputs recorded = readBagInputs(path, scene, world);
-  if (!recorded.notice.empty()) printNotice("simulate", path + ": " + recorded.notice);
+  if (!recorded.notice.empty()) preface.add(noticeLine("simulate", path + ": " + recorded.notice));
   return std::make_unique<InputReplay>(recorded.inputs, scene.world_frame);
 }
 
@@ -45,11 +53,12 @@ struct Bags {
 };
 
 /// As the node: what has come in is taken over before a step, the state is told after it.
-StepHooks hooksOf(const Bags& bags, Simulation& simulation) {
+StepHooks hooksOf(const Bags& bags, Simulation& simulation, Preface& preface) {
   StepHooks hooks;
   if (bags.replay)
     hooks.before = [&] {
       const bool moved = bags.replay->applyDue(simulation);
+      if (bags.replay->isDone()) preface.say();
       if (moved && bags.output) bags.output->breakTrails();
     };
   if (bags.output) hooks.after = [&] { bags.output->writeDue(); };
@@ -77,28 +86,42 @@ State simulate(Simulation& simulation, double duration, double sample, const Ste
 
 void run(const SimulateOptions& options) {
   const Scene scene = sceneOf(options);
+  const double duration = options.duration.value_or(scene.horizon);
+  const double sample = options.sample.value_or(scene.time_step);
+  requireCountable(duration, scene.time_step, "steps");
+  requireCountable(duration, sample, "samples");
   const World world = buildWorld(scene);
   const State first = initialState(scene, world);
   Simulation simulation(world, first);
   std::unique_ptr<CsvWriter> csv;
-  if (options.csv) csv = std::make_unique<CsvWriter>(*options.csv);
+  if (options.csv) {
+    csv = std::make_unique<CsvWriter>(*options.csv);
+    csv->finish();  // the header: a file that takes nothing is told of before the run
+  }
+  Preface preface;
+  for (const std::string& notice : scene.notices) preface.add(noticeLine("simulate", notice));
   Bags bags;
-  if (options.wrench_bag) bags.replay = replayOf(*options.wrench_bag, scene, world);
+  if (options.wrench_bag) bags.replay = replayOf(*options.wrench_bag, scene, world, preface);
   if (options.bag)
     bags.output = std::make_unique<BagOutput>(*options.bag, 1 / options.sample.value_or(kBagSample),
                                               scene, simulation);
-  for (const std::string& line : describeSolution(simulation))
-    std::fprintf(stderr, "%s\n", line.c_str());
+  for (const std::string& line : describeSolution(simulation)) preface.add(line);
+  if (!bags.replay) preface.say();  // else an input to come may not be of this scene
 
-  const double duration = options.duration.value_or(world.solver.horizon);
   const auto begin = std::chrono::steady_clock::now();
-  const State last = simulate(simulation, duration, options.sample.value_or(scene.time_step),
-                              hooksOf(bags, simulation), csv.get());
+  State last;
+  try {
+    last = simulate(simulation, duration, sample, hooksOf(bags, simulation, preface), csv.get());
+  } catch (const SimulationDiverged&) {
+    preface.say();
+    throw;
+  }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   if (csv) csv->finish();
   if (bags.output) bags.output->finish();
   const std::string parts = describeParts(simulation);
-  if (!parts.empty()) printNotice("simulate", parts);
+  if (!parts.empty()) preface.add(noticeLine("simulate", parts));
+  preface.say();
 
   std::FILE* out = options.csv == "-" ? stderr : stdout;
   std::fprintf(out, "%s: %.6g s in steps of %.6g s with %s, in %.3g s\n", options.scene.c_str(),

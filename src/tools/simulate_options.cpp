@@ -1,8 +1,24 @@
 #include "simulate_options.hpp"
 
+#include <stdexcept>
+
+#include <rigid_body_sim/dynamics/catalogue.hpp>
+
 #include "usage.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+std::string integratorNamed(const std::string& name) {
+  try {
+    if (name != "auto") methodNamed(name);
+  } catch (const std::invalid_argument& unknown) {
+    throw UsageError(std::string("--") + unknown.what());
+  }
+  return name;
+}
+
+}  // namespace
 
 SimulateOptions parseSimulateOptions(int argc, char** argv) {
   SimulateOptions options;
@@ -11,7 +27,7 @@ SimulateOptions parseSimulateOptions(int argc, char** argv) {
       {"sample", [&](const char* s) { options.sample = positiveNumber("sample", s); }},
       {"time-step", [&](const char* s) { options.time_step = positiveNumber("time-step", s); }},
       {"tolerance", [&](const char* s) { options.tolerance = positiveNumber("tolerance", s); }},
-      {"integrator", [&](const char* s) { options.integrator = s; }},
+      {"integrator", [&](const char* s) { options.integrator = integratorNamed(s); }},
       {"csv", [&](const char* s) { options.csv = s; }},
       {"bag", [&](const char* s) { options.bag = s; }},
       {"wrench-bag", [&](const char* s) { options.wrench_bag = s; }}};
@@ -31,9 +47,10 @@ and momentum were kept.
                      step in the CSV, 0.01 in the bag
   --integrator NAME  in place of the scene's
   --time-step S      in place of the scene's [s]
-  --tolerance X      in place of the scene's, for integrator auto
+  --tolerance X      in place of the scene's, with integrator auto only
   --csv FILE|-       a row for each body and sample; - is the standard output
-  --bag FILE         the topics that the node publishes, with the stamps of a clock from zero
+  --bag FILE         the topics that the node publishes, with the stamps of a clock from zero; not
+                     ~inputs, which come in, nor ~status and /diagnostics, which tell of wall time
   --wrench-bag FILE  repeats the run of a node, to the last bit, by the inputs that a bag has
                      recorded of its topic inputs; without that topic, the wrench messages of the
                      bag at the times of the bag

@@ -19,7 +19,8 @@ struct SimulateOptions {
   bool help = false;
 };
 
-/// Throws UsageError for an unknown option, a value that is no number > 0, or no scene.
+/// Throws UsageError for an unknown option or integrator, a value that is no number > 0, or no
+/// scene.
 SimulateOptions parseSimulateOptions(int argc, char** argv);
 
 /// The text of --help.

@@ -7,6 +7,7 @@
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
+#include "preface.hpp"
 #include "progress_bar.hpp"
 #include "tool_scene.hpp"
 #include "trade_ladder.hpp"
@@ -49,12 +50,17 @@ void sortLadders(std::vector<Setting>& settings) {
 }
 
 Trade measureTrade(const TradeOptions& options) {
-  const Scene scene = loadToolScene(options.scene, "trade");
+  const Scene scene = loadToolScene(options.scene);
+  const double duration = options.duration.value_or(scene.horizon);
+  requireCountable(duration, scene.time_step, "steps");
   const World world = buildWorld(scene);
   const State first = initialState(scene, world);
   const std::vector<std::string> integrators = integratorsFor(world, first);
   std::filesystem::create_directories(options.out);
   TradeCsv csv(options.out + "/trade.csv");
+  Preface preface;
+  for (const std::string& notice : scene.notices) preface.add(noticeLine("trade", notice));
+  preface.say();
 
   ProgressBar bar;
   bar.show(0);
@@ -62,7 +68,7 @@ Trade measureTrade(const TradeOptions& options) {
   trade.scene = options.scene;
   trade.present = world.solver;
   trade.error_budget = options.error_budget.value_or(scene.tolerance);
-  trade.reference = computeReference(world, first, options.duration.value_or(scene.horizon));
+  trade.reference = computeReference(world, first, duration);
   bar.show(1 / (1 + static_cast<double>(integrators.size())));
   trade.settings = measureAll(world, trade.reference, integrators, csv, bar);
   sortLadders(trade.settings);

@@ -1,12 +1,22 @@
 #include "usage.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 #include <vector>
 
 #include <getopt.h>
 
+#include <rigid_body_sim/scene/limits.hpp>
+
 namespace rigid_body_sim {
+
+bool asksForHelp(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [](const std::string& argument) {
+    return argument == "--help" || argument == "-h";
+  });
+}
 
 double positiveNumber(const std::string& option, const char* text) {
   char* end = nullptr;
@@ -14,6 +24,14 @@ double positiveNumber(const std::string& option, const char* text) {
   if (end == text || *end != '\0' || !std::isfinite(x) || !(x > 0))
     throw UsageError("--" + option + ": must be a finite number > 0, got '" + text + "'");
   return x;
+}
+
+void requireCountable(double duration, double length, const std::string& things) {
+  if (duration / length <= kMostSteps) return;
+  std::ostringstream fault;
+  fault << "a duration of " << duration << " s must be at most 2^53 " << things << " of " << length
+        << " s";
+  throw UsageError(fault.str());
 }
 
 std::optional<std::string> readCommandLine(int argc, char** argv, const OptionActions& actions,

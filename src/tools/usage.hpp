@@ -17,8 +17,15 @@ class UsageError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// Whether --help or -h is among the arguments, for programs whose others are those of ROS.
+bool asksForHelp(int argc, char** argv);
+
 /// The value of an option, named without its dashes. Throws UsageError unless it is finite and > 0.
 double positiveNumber(const std::string& option, const char* text);
+
+/// Throws UsageError for a duration of more than kMostSteps of the given length [s]. things: what
+/// each of them is, such as "steps".
+void requireCountable(double duration, double length, const std::string& things);
 
 /// What takes the value of each option, named without its dashes.
 using OptionActions = std::map<std::string, std::function<void(const char* value)>>;

@@ -85,7 +85,7 @@ TEST(MassPropertiesFault, NamesTheMass) {
 TEST(MassPropertiesFault, NamesTheCentreOfMass) {
   MassProperties body = withMoments(1, 1, 1);
   body.com_B.y() = kInf;
-  EXPECT_EQ(massPropertiesFault(body), "center_of_mass must be finite, got [  0 inf   0] m");
+  EXPECT_EQ(massPropertiesFault(body), "center_of_mass must be finite, got [0, inf, 0] m");
 }
 
 TEST(MassPropertiesFault, NamesAnInertiaThatIsNotFiniteOrNotSymmetric) {
@@ -99,7 +99,7 @@ TEST(MassPropertiesFault, NamesAnInertiaThatIsNotFiniteOrNotSymmetric) {
 
 TEST(MassPropertiesFault, NamesMomentsThatAreNotPositive) {
   EXPECT_EQ(faultOf(1, 1, -0.5),
-            "inertia must be positive definite, got principal moments [-0.5    1    1] kg m^2");
+            "inertia must be positive definite, got principal moments [-0.5, 1, 1] kg m^2");
   EXPECT_THAT(faultOf(0, 1, 1), HasSubstr("positive definite"));
   EXPECT_THAT(faultOf(0, 0, 0), HasSubstr("positive definite"));
   EXPECT_THAT(faultOf(1e-16, 1, 1), HasSubstr("positive definite"));
@@ -111,7 +111,7 @@ TEST(MassPropertiesFault, NamesMomentsThatAreNotPositive) {
 TEST(MassPropertiesFault, NamesMomentsBeyondTheTriangleInequality) {
   EXPECT_EQ(faultOf(5, 1, 1),
             "inertia must satisfy the triangle inequality I1 + I2 >= I3, got principal moments "
-            "[1 1 5] kg m^2: 2 < 5");
+            "[1, 1, 5] kg m^2: 2 < 5");
   EXPECT_THAT(faultOf(1, 2, 3 * (1 + 2e-9)), HasSubstr("triangle inequality"));
   EXPECT_THAT(faultOf(1e-12, 1, 1.0001), HasSubstr("triangle inequality"));
   // fine on the diagonal (1 1 1), but not in its own axes (0.2 1 1.8)

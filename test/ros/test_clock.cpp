@@ -43,7 +43,7 @@ TEST(Clock, StartsOverAtOnceWithAResetOfTime) {
   ASSERT_TRUE(NodeDriver::waitFor([&] { return clock.size() > 10 && clock.back() < late; }));
   // a clock that has once gone back runs from its first tick
   const auto first = std::min_element(clock.begin(), clock.end());
-  EXPECT_EQ(*first, ros::Time(0, 20000000));
+  EXPECT_EQ(*first, ros::Time());
   EXPECT_TRUE(std::is_sorted(first, clock.end()));
 }
 

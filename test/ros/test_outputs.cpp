@@ -180,6 +180,27 @@ TEST(Outputs, StampsAreThoseOfTheStepsAndStrictlyIncrease) {
   for (std::size_t k = 1; k < 301; ++k) ASSERT_LT(run.memory.clock[k - 1], run.memory.clock[k]);
 }
 
+TEST(Outputs, BeginAtTheStartOfAClockFromZero) {
+  ToldRun run(0.004, 100);
+  run.origin = TimeOrigin{};
+  run.steps(5);
+  run.steps(0);  // once more for the same step
+  const std::vector<ros::Time> expected{ros::Time(), ros::Time(0, 12000000),
+                                        ros::Time(0, 20000000)};
+  EXPECT_EQ(run.memory.clock, expected);
+  std::vector<ros::Time> stamps;
+  for (const nav_msgs::Odometry& told : run.memory.odometry.at("box/odom"))
+    stamps.push_back(told.header.stamp);
+  EXPECT_EQ(stamps, expected);
+
+  // and again, when time has been set back
+  run.simulation.reset(true);
+  run.outputs.restart();
+  run.steps(0);
+  EXPECT_EQ(run.memory.clock.back(), ros::Time());
+  EXPECT_EQ(run.memory.odometry.at("box/odom").back().header.stamp, ros::Time());
+}
+
 TEST(Outputs, TellNothingToNobody) {
   ToldRun run(0.01);
   run.memory.heard = false;

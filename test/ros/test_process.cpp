@@ -6,9 +6,11 @@
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "node_driver.hpp"
 #include "support/run_command.hpp"
 
 namespace rigid_body_sim {
@@ -36,20 +38,31 @@ std::string sceneFile(const std::string& yaml) {
   return path;
 }
 
-/// Starts the node, waits for its services, and sends it the signal. Returns its exit code.
-int exitCodeAfter(int signal) {
-  const std::string name = freshName();
+pid_t startNode(const std::string& name) {
   const pid_t child = fork();
   if (child == 0) {
     execl(RIGID_BODY_SIM_NODE, "rigid_body_node", ("__name:=" + name).c_str(),
           "_scene_file:=" RIGID_BODY_SIM_TEST_SCENE, static_cast<char*>(nullptr));
     _exit(127);
   }
-  const bool up = ros::service::waitForService(name + "/reset", 20000);
+  return child;
+}
+
+/// Sends the signal. Returns the exit code.
+int exitCodeAfter(int signal, pid_t child) {
   kill(child, signal);
   int status = 0;
   waitpid(child, &status, 0);
-  return up && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// Starts the node, waits for its services, and sends it the signal. Returns its exit code.
+int exitCodeAfter(int signal) {
+  const std::string name = freshName();
+  const pid_t child = startNode(name);
+  const bool up = ros::service::waitForService(name + "/reset", 20000);
+  const int code = exitCodeAfter(signal, child);
+  return up ? code : -1;
 }
 
 }  // namespace
@@ -96,6 +109,21 @@ wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_NE(run.out.find("body 'rocket'"), std::string::npos) << run.out;
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1) << run.out;
+}
+
+TEST(Node, SaysThatItWaitsForAClockThatNobodySends) {
+  ros::NodeHandle nh;
+  bool told = false;
+  const boost::function<void(const rosgraph_msgs::Log&)> hear =
+      [&](const rosgraph_msgs::Log& message) {
+        told = told || message.msg.find("waiting for /clock") == 0;
+      };
+  const ros::Subscriber log = nh.subscribe<rosgraph_msgs::Log>("/rosout", 100, hear);
+  ros::param::set("/use_sim_time", true);
+  const pid_t child = startNode(freshName());
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return told; }));
+  ros::param::set("/use_sim_time", false);
+  EXPECT_EQ(exitCodeAfter(SIGINT, child), 0);
 }
 
 TEST(Node, EndsCleanlyOnSigint) { EXPECT_EQ(exitCodeAfter(SIGINT), 0); }

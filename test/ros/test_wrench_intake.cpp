@@ -8,6 +8,7 @@
 
 #include "support/lopsided_box.hpp"
 #include "wrench_intake.hpp"
+#include "wrench_messages.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -158,10 +159,10 @@ TEST_F(WrenchIntake, RefusesADurationThatIsNegativeOrNeedsAnId) {
 
 TEST_F(WrenchIntake, RefusesAnIdThatIsTooLongToKeep) {
   WrenchRequest request = general("map");
-  request.slot = std::string(4096, 'a');
+  request.slot = slotOfId(std::string(4096, 'a'));
   EXPECT_EQ(take(request).fault, "");
-  request.slot += 'a';
-  EXPECT_EQ(take(request).fault, "id must be shorter than 4096 bytes");
+  request.slot = slotOfId(std::string(4097, 'a'));
+  EXPECT_EQ(take(request).fault, "id must have at most 4096 bytes, got 4097");
 }
 
 TEST_F(WrenchIntake, RefusesNumbersThatAreNotFinite) {

@@ -166,16 +166,17 @@ TEST(SceneDrag, KeepsItsRules) {
 
 TEST(SceneIntegrator, TakesWhatActsInTheScene) {
   const std::string spring = kSpring + "stiffness: 1}";
-  EXPECT_EQ(errorOf(sceneWith(spring, "taylor")),
-            "s.yaml: integrator must be auto or take laws or wrenches that couple bodies, as body "
-            "'box' needs (semi_implicit_euler, strang, magnus4, rk4, blanes_moan6, kahan_li8, "
-            "dop853), got 'taylor'");
+  EXPECT_EQ(
+      errorOf(sceneWith(spring, "taylor")),
+      "s.yaml:6: integrator must be auto or take laws or wrenches that couple bodies, as body "
+      "'box' needs (semi_implicit_euler, strang, magnus4, rk4, blanes_moan6, kahan_li8, "
+      "dop853), got 'taylor'");
   EXPECT_EQ(errorOf(sceneWith(spring, "strang")), "");
   EXPECT_EQ(errorOf(sceneWith(kSpring + "stiffness: 1, damping: 1}", "strang")),
-            "s.yaml: integrator must be auto or take damping, as body 'box' needs "
+            "s.yaml:6: integrator must be auto or take damping, as body 'box' needs "
             "(semi_implicit_euler, rk4, dop853), got 'strang'");
   EXPECT_EQ(errorOf("integrator: kahan_li8\n" + boxScene("    drag: {linear: 1}\n")),
-            "s.yaml: integrator must be auto or take drag, as body 'box' needs "
+            "s.yaml:1: integrator must be auto or take drag, as body 'box' needs "
             "(semi_implicit_euler, strang, magnus4, rk4, dop853), got 'kahan_li8'");
 }
 

@@ -141,20 +141,6 @@ TEST_F(Frames, TakesThePointInTheBodyUnlessToldOtherwise) {
   EXPECT_EQ(wrench.point, frames_.find("box")->X_PF * def.point);
 }
 
-TEST_F(Frames, PutsAWrenchAtTheOriginOfAFrame) {
-  const PointWrench wrench =
-      wrenchAtFrame(0, frames_.find("box/tip")->X_PF, {1, 2, 12}, {0.4, 0.5, -0.6});
-  WrenchDef def = wrenchIn("box/tip");
-  def.point.setZero();
-  const PointWrench expected = resolveWrench(def, world_.bodies, frames_).wrench;
-  EXPECT_EQ(wrench.body, expected.body);
-  EXPECT_EQ(wrench.axes, expected.axes);
-  EXPECT_EQ(wrench.force, expected.force);
-  EXPECT_EQ(wrench.torque, expected.torque);
-  EXPECT_EQ(wrench.point_frame, expected.point_frame);
-  EXPECT_EQ(wrench.point, expected.point);
-}
-
 TEST_F(Frames, RefusesAWrenchThatNamesWhatIsNotThere) {
   WrenchDef wrench = wrenchIn("map");
   wrench.body = "bax";

@@ -61,14 +61,14 @@ TEST(SceneKeys, SayOnceWhatABodyIsMadeOf) {
   EXPECT_EQ(errorOf(bodyScene(box)),
             "s.yaml:3: body 'a': missing key 'mass' or 'density' of the shape");
   EXPECT_EQ(errorOf(bodyScene(box + "    mass: 1\n    density: 1\n")),
-            "s.yaml:6: body 'a': density cannot stand beside mass");
+            "s.yaml:6: body 'a': density cannot stand beside mass, got 1");
   EXPECT_EQ(boxError("    inertia: {ixx: 1, iyy: 1, izz: 1}\n"),
-            kAt + "inertia cannot stand beside shape, which gives it");
+            kAt + "inertia cannot stand beside shape, which gives it, got a mapping");
   EXPECT_EQ(boxError("    center_of_mass: [0, 0, 0]\n"),
-            kAt + "center_of_mass cannot stand beside shape, which gives it");
+            kAt + "center_of_mass cannot stand beside shape, which gives it, got [0, 0, 0]");
   EXPECT_EQ(errorOf(bodyScene(given)), "s.yaml:3: body 'a': missing key 'mass'");
   EXPECT_EQ(errorOf(bodyScene(given + "    density: 1\n")),
-            "s.yaml:5: body 'a': density needs a shape");
+            "s.yaml:5: body 'a': density needs a shape, got 1");
   EXPECT_EQ(errorOf(bodyScene("  - name: a\n    shape: {}\n")),
             "s.yaml:4: body 'a': shape must name one shape, got 0");
   EXPECT_EQ(errorOf(bodyScene(
@@ -81,6 +81,18 @@ TEST(SceneKeys, TakeAToleranceWithAutoOnly) {
             "s.yaml:2: tolerance goes with integrator auto only, got integrator rk4");
   EXPECT_EQ(errorOf("integrator: auto\ntolerance: 1e-6\n" + boxScene()), "");
   EXPECT_EQ(errorOf("integrator: rk4\nhorizon: 3\n" + boxScene()), "");
+}
+
+TEST(SceneKeys, TakeNoMoreStepsThanADoubleCounts) {
+  const std::string rest = "bodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]\n";
+  EXPECT_EQ(errorOf("horizon: 1e300\ntime_step: 0.01\n" + rest),
+            "s.yaml:2: time_step must divide the horizon of 1e+300 s into at most 2^53 steps, got "
+            "0.01");
+  EXPECT_EQ(errorOf("time_step: 1e-320\n" + rest),
+            "s.yaml:1: time_step must divide the horizon of 10 s into at most 2^53 steps, got "
+            "1e-320");
+  EXPECT_EQ(errorOf("time_step: 1\nhorizon: 9007199254740992\n" + rest), "");
+  EXPECT_NE(errorOf("time_step: 1\nhorizon: 9007199254740994\n" + rest), "");
 }
 
 TEST(SceneKeys, NameAnIntegratorOfTheCatalogue) {
@@ -96,6 +108,10 @@ TEST(SceneKeys, NameAnIntegratorOfTheCatalogue) {
 TEST(SceneNames, AreUnique) {
   EXPECT_EQ(boxError("  - name: box\n    shape: {box: [1, 1, 1]}\n    mass: 1\n"),
             "s.yaml:6: body 'box': name is taken, by the body on line 3");
+  // the line of the name, not of the list item
+  EXPECT_EQ(errorOf(bodyScene("  - mass: 1\n    shape: {box: [1, 1, 1]}\n    name: box\n"
+                              "  - mass: 1\n    name: box\n    shape: {box: [1, 1, 1]}\n")),
+            "s.yaml:7: body 'box': name is taken, by the body on line 5");
 }
 
 TEST(SceneNames, DifferFromTheWorldFrame) {

@@ -14,11 +14,14 @@
 namespace rigid_body_sim {
 namespace {
 
-double timeStepOf(const std::string& number) {
-  return parseScene("bodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]\ntime_step: " +
-                        number + "\n",
-                    "s")
-      .time_step;
+/// As a key holds it that takes every number > 0.
+double valueOf(const std::string& number) {
+  return parseScene(
+             "time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]\n"
+             "tolerance: " +
+                 number + "\n",
+             "s")
+      .tolerance;
 }
 
 }  // namespace
@@ -32,22 +35,22 @@ TEST(SceneNumbers, OfSeventeenDigitsComeBackAsTheSameBits) {
     if (!std::isfinite(x) || x == 0) continue;
     char text[40];
     std::snprintf(text, sizeof text, "%.17g", x);
-    ASSERT_EQ(timeStepOf(text), x) << text;
+    ASSERT_EQ(valueOf(text), x) << text;
   }
 }
 
 TEST(SceneNumbers, AreTheNearestDouble) {
-  EXPECT_EQ(timeStepOf("0.1"), 0.1);
-  EXPECT_EQ(timeStepOf("+.5"), 0.5);
-  EXPECT_EQ(timeStepOf("5."), 5);
-  EXPECT_EQ(timeStepOf("007"), 7);
-  EXPECT_EQ(timeStepOf("1E3"), 1000);
-  EXPECT_EQ(timeStepOf("4.9406564584124654e-324"), std::numeric_limits<double>::denorm_min());
-  EXPECT_EQ(timeStepOf("1.7976931348623157e308"), std::numeric_limits<double>::max());
+  EXPECT_EQ(valueOf("0.1"), 0.1);
+  EXPECT_EQ(valueOf("+.5"), 0.5);
+  EXPECT_EQ(valueOf("5."), 5);
+  EXPECT_EQ(valueOf("007"), 7);
+  EXPECT_EQ(valueOf("1E3"), 1000);
+  EXPECT_EQ(valueOf("4.9406564584124654e-324"), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(valueOf("1.7976931348623157e308"), std::numeric_limits<double>::max());
   // a hair above the midpoint of 1 and its successor, seen in the 50th digit only
-  EXPECT_EQ(timeStepOf("1.00000000000000011102230246251565404236316680908203126"),
+  EXPECT_EQ(valueOf("1.00000000000000011102230246251565404236316680908203126"),
             1 + std::numeric_limits<double>::epsilon());
-  EXPECT_EQ(timeStepOf("1.00000000000000011102230246251565404236316680908203124"), 1);
+  EXPECT_EQ(valueOf("1.00000000000000011102230246251565404236316680908203124"), 1);
 }
 
 /// Writes a decimal comma and groups of three, as many a desktop's locale does.
@@ -59,7 +62,7 @@ struct CommaNumbers : std::numpunct<char> {
 
 TEST(SceneNumbers, DoNotDependOnTheLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaNumbers));
-  const double number = timeStepOf("1234.5");
+  const double number = valueOf("1234.5");
   const std::string error = errorOf("time_step: 1,5\nbodies: []\n");
   std::locale::global(before);
   EXPECT_EQ(number, 1234.5);

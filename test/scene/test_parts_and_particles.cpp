@@ -1,3 +1,6 @@
+#include <string>
+#include <tuple>
+
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/scene/check_scene.hpp>
@@ -66,7 +69,7 @@ TEST(SceneParts, KeepTheirRules) {
   EXPECT_EQ(partError("{shape: {box: [1, 1, 1]}}"),
             kAt + "parts[0]: missing key 'mass' or 'density' of the shape");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, density: 1}"),
-            kAt + "parts[0].density cannot stand beside mass");
+            kAt + "parts[0].density cannot stand beside mass, got 1");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 0}"),
             kAt + "parts[0].mass must be > 0 kg, got 0");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, density: -1}"),
@@ -104,7 +107,7 @@ TEST(SceneParticles, KeepTheirRules) {
   EXPECT_EQ(error("[{mass: 1, position: [0, 0, 0], velocity: [1, 0, 0]}]"),
             kAt + "unknown key 'particles[0].velocity' (known: mass, position)");
   EXPECT_EQ(error("[{mass: 1, position: [0, 0, 0]}, {mass: 1, position: [0, 0, 2]}]"),
-            kAt + "inertia must be positive definite, got principal moments [0 2 2] kg m^2");
+            kAt + "inertia must be positive definite, got principal moments [0, 2, 2] kg m^2");
 }
 
 TEST(SceneMatter, IsOneOfFive) {
@@ -112,17 +115,21 @@ TEST(SceneMatter, IsOneOfFive) {
   const std::string shape = "    shape: {sphere: {radius: 1}}\n";
   const std::string parts = "    parts: [{shape: {sphere: {radius: 1}}, mass: 1}]\n";
   const std::string particles = "    particles: " + kTriangle + "\n";
-  EXPECT_EQ(error(shape + "    mass: 1\n" + parts),
-            "s.yaml:6: body 'a': parts cannot stand beside shape: a body is made of one of them");
+  EXPECT_EQ(
+      error(shape + "    mass: 1\n" + parts),
+      "s.yaml:6: body 'a': parts cannot stand beside shape, as a body is made of one of them, "
+      "got [a mapping]");
   EXPECT_EQ(error(parts + particles),
-            "s.yaml:5: body 'a': particles cannot stand beside parts: a body is made of one of "
-            "them");
+            "s.yaml:5: body 'a': particles cannot stand beside parts, as a body is made of one of "
+            "them, got [a mapping, a mapping, a mapping]");
   for (const auto& [name, text] : {std::pair{"parts", parts}, std::pair{"particles", particles}}) {
-    for (const std::string given : {"mass: 1", "density: 1", "center_of_mass: [0, 0, 0]",
-                                    "inertia: {ixx: 1, iyy: 1, izz: 1}"})
-      EXPECT_EQ(error(text + "    " + given + "\n"),
-                "s.yaml:5: body 'a': " + given.substr(0, given.find(':')) +
-                    " cannot stand beside " + name + ", which gives it");
+    for (const auto& [key, value, shown] :
+         {std::tuple{"mass", "1", "1"}, std::tuple{"density", "1", "1"},
+          std::tuple{"center_of_mass", "[0, 0, 0]", "[0, 0, 0]"},
+          std::tuple{"inertia", "{ixx: 1, iyy: 1, izz: 1}", "a mapping"}})
+      EXPECT_EQ(error(text + "    " + key + ": " + value + "\n"),
+                std::string("s.yaml:5: body 'a': ") + key + " cannot stand beside " + name +
+                    ", which gives it, got " + shown);
   }
 }
 

@@ -69,10 +69,10 @@ TEST(SceneNumbers, ArePositiveWhereTheyMustBe) {
 TEST(SceneInertia, IsThatOfARigidBody) {
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 1, izz: 5}"),
             "s.yaml:5: body 'a': inertia must satisfy the triangle inequality I1 + I2 >= I3, got "
-            "principal moments [1 1 5] kg m^2: 2 < 5");
+            "principal moments [1, 1, 5] kg m^2: 2 < 5");
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 1, izz: -1}"),
             "s.yaml:5: body 'a': inertia must be positive definite, got principal moments "
-            "[-1  1  1] kg m^2");
+            "[-1, 1, 1] kg m^2");
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 2, izz: 3}"), "");  // a flat plate
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 1}"), "s.yaml:5: body 'a': missing key 'inertia.izz'");
   EXPECT_EQ(massError("1", "[1, 1, 1]"),
@@ -111,13 +111,19 @@ TEST(SceneValues, KeepTheirOtherRules) {
             kAt +
                 "orientation must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1, "
                 "got [0, 0, 0, 0]");
+  // off by 1e-3 and no more, on either side
+  EXPECT_EQ(boxError("    orientation: [0, 0, 0, 0.999]\n"), "");
+  EXPECT_EQ(boxError("    orientation: [0, 0, 0, 1.001]\n"), "");
+  EXPECT_NE(boxError("    orientation: [0, 0, 0, 0.9989999]\n"), "");
+  EXPECT_NE(boxError("    orientation: [0, 0, 0, 1.0010001]\n"), "");
   EXPECT_EQ(boxError("    twist: {frame: map}\n"),
             kAt + "twist.frame must be world or body, got map");
   for (const std::string value : {"yes", "True", "1", "\"true\""})
     EXPECT_EQ(boxError("    fixed: " + value + "\n"),
               kAt + "fixed must be true or false, got " + value);
   EXPECT_EQ(boxError("    fixed: true\n    twist: {frame: world, linear: [1, 0, 0]}\n"),
-            "s.yaml:3: body 'box': twist must be zero, for the body is fixed");
+            "s.yaml:7: body 'box': twist must be zero, for the body is fixed, got [1, 0, 0] m/s, "
+            "[0, 0, 0] rad/s");
   EXPECT_EQ(boxError("    visual: {color: [1, 0, 0, 1.5]}\n"),
             kAt + "visual.color must be [r, g, b, a], each 0 to 1, got [1, 0, 0, 1.5]");
   EXPECT_EQ(boxError("    visual: {mesh: \"\"}\n"), kAt + "visual.mesh must be a text, got \"\"");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -168,6 +169,31 @@ TEST_F(MassPropertiesProgram, MakesANameOfTheFile) {
   EXPECT_THAT(out(files_.written("42.stl", stl) + " --mass 1"), StartsWith("mesh_42: "));
 }
 
+TEST_F(MassPropertiesProgram, WritesYamlOfLinksThatAnySceneAccepts) {
+  std::string urdf = "<robot name='r'>";
+  for (const std::string name : {"base_link", "base-link", "left wheel: 2", "2nd", "world", "fine"})
+    urdf += "<link name='" + name +
+            "'><inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' "
+            "izz='1'/></inertial></link>";
+  for (const std::string name : {"base-link", "left wheel: 2", "2nd", "world", "fine"})
+    urdf += "<joint name='of " + name + "' type='fixed'><parent link='base_link'/><child link='" +
+            name + "'/></joint>";
+  const std::string yaml = out(files_.written("r.urdf", urdf + "</robot>") + " --format yaml");
+  std::vector<std::string> names;
+  for (const BodyDef& body : pasted(yaml)) names.push_back(body.name);
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"base_link", "base_link_2", "fine", "left_wheel__2",
+                                             "link_2nd", "link_world"}));
+  EXPECT_THAT(yaml, HasSubstr("  - name: left_wheel__2  # left wheel: 2 in the file\n"));
+  EXPECT_THAT(yaml, HasSubstr("  - name: fine\n"));
+}
+
+TEST_F(MassPropertiesProgram, TakesASceneByAnyName) {
+  const std::string scene = files_.written(
+      "orbit.scene", "time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]\n");
+  EXPECT_THAT(out(scene), StartsWith("a\n  mass               1 kg\n"));
+}
+
 TEST_F(MassPropertiesProgram, TellsThatItTurnedAMeshAround) {
   const std::string path =
       files_.written("in.stl", binaryStl(insideOut(triangulated(Box{{1, 1, 1}}, 0))));
@@ -181,11 +207,15 @@ TEST_F(MassPropertiesProgram, TellsThatItTurnedAMeshAround) {
       "s.yaml", "time_step: 1\nbodies:\n  - {name: a, mass: 1, shape: {mesh: {file: in.stl}}}\n");
   EXPECT_EQ(run(scene).error,
             "mass_properties: notice: " + scene + ":3: body 'a': shape.mesh.file: " + notice);
+  // a fault has the one line to itself
+  const Outcome failed = run(path + " --mass 1e-323");  // its inertia is zero
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_EQ(failed.error.find("notice"), std::string::npos) << failed.error;
 }
 
 TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsInput) {
   const std::string text = files_.written("a.txt", "x");
-  expectFailure(text, 1, text + ": mesh file must end in .stl, .obj or .dae, got '.txt'");
+  expectFailure(text, 1, text + ":1: a mapping is expected, got x");
   expectFailure("no.stl", 1, "no.stl: mesh file does not exist");
   expectFailure("no.yaml", 1, "no.yaml: cannot be opened: No such file or directory");
   expectFailure("no.urdf", 1, "no.urdf: cannot be opened: No such file or directory");

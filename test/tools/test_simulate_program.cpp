@@ -11,7 +11,10 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "support/mesh_edits.hpp"
+#include "support/mesh_texts.hpp"
 #include "support/run_command.hpp"
+#include "support/triangulations.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -116,14 +119,43 @@ TEST(Simulate, ExitsWithOneForBadInput) {
   EXPECT_EQ(simulate(scenePath("demo.yaml") + " --csv /dev/full 2>&1").exit_code, 1);
 }
 
+TEST(Simulate, SaysWhatIsAtFaultAndNothingElse) {
+  // a mesh that faces inwards, told of when all is well
+  const std::string mesh = ::testing::TempDir() + "simulate_test_inwards.stl";
+  std::ofstream(mesh, std::ios::binary) << binaryStl(insideOut(triangulated(Box{{1, 1, 1}}, 0)));
+  const std::string body = "bodies: [{name: a, mass: 1, shape: {mesh: {file: " + mesh + "}}}]\n";
+  const std::string good = sceneFile("time_step: 0.1\n" + body);
+  const std::string notice = simulate(good + " 2>&1 >/dev/null").out;
+  EXPECT_EQ(lines(notice).size(), 2U) << notice;
+  EXPECT_NE(notice.find("simulate: notice: "), std::string::npos) << notice;
+  for (const char* output : {" --csv /dev/full", " --bag /dev/full"}) {
+    const Outcome run = simulate(good + output + " 2>&1");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(lines(run.out).size(), 1U) << run.out;
+  }
+  const std::string bad =
+      sceneFile("time_step: 0.1\n" + body + "wrenches: [{body: b, frame: world, duration: 1}]\n");
+  const Outcome run = simulate(bad + " 2>&1");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(lines(run.out).size(), 1U) << run.out;
+}
+
 TEST(Simulate, ExitsWithTwoForWrongUsage) {
-  for (const char* arguments :
-       {"", "a.yaml b.yaml", "a.yaml --no-such-option", "a.yaml --duration", "a.yaml --duration 1x",
-        "a.yaml --sample 0", "a.yaml --time-step nan"}) {
-    const Outcome run = simulate(std::string(arguments) + " 2>&1");
+  const std::string demo = scenePath("demo.yaml");
+  for (const std::string& arguments :
+       {std::string(""), std::string("a.yaml b.yaml"), std::string("a.yaml --no-such-option"),
+        std::string("a.yaml --duration"), std::string("a.yaml --duration 1x"),
+        std::string("a.yaml --sample 0"), std::string("a.yaml --time-step nan"),
+        demo + " --integrator bogus", demo + " --integrator rk4 --tolerance 1e-6",
+        demo + " --duration 1e300", demo + " --duration 1e18", demo + " --sample 1e-30",
+        demo + " --integrator rk4 --time-step 1e-20 --duration 1"}) {
+    const Outcome run = simulate(arguments + " 2>&1");
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_EQ(lines(run.out).size(), 1U) << arguments;
   }
+  EXPECT_EQ(simulate(demo + " --duration 1e300 2>&1").out,
+            "simulate: a duration of 1e+300 s must be at most 2^53 steps of 0.001 s "
+            "(simulate --help)\n");
 }
 
 TEST(Simulate, ExitsWithThreeWhenTheSimulationDiverges) {

@@ -72,10 +72,8 @@ TEST(TradeProgram, WritesEveryRowAndTheCheapestSetting) {
     EXPECT_NE(run.out.find(name), std::string::npos) << name;
   EXPECT_NE(run.out.find("\nintegrator: "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("\ntime_step: "), std::string::npos) << run.out;
-  if (std::system("command -v gnuplot >/dev/null") == 0) {
-    const std::vector<std::string> plot = fileLines(out + "/trade.svg");
-    EXPECT_NE(std::find(plot.begin(), plot.end(), "</svg>"), plot.end());
-  }
+  const std::vector<std::string> plot = fileLines(out + "/trade.svg");
+  EXPECT_NE(std::find(plot.begin(), plot.end(), "</svg>"), plot.end());
 }
 
 TEST(TradeProgram, SaysThatThePlotIsMissingWithoutGnuplot) {
@@ -118,6 +116,9 @@ TEST(TradeProgram, ExitsWithTwoForWrongUsage) {
   for (const char* arguments : {"", "a.yaml b.yaml", "a.yaml --no-such-option", "a.yaml --out",
                                 "a.yaml --duration 1x", "a.yaml --error-budget 0"})
     EXPECT_EQ(trade(std::string(arguments) + " 2>&1").exit_code, 2) << arguments;
+  const Outcome endless = trade(kScene + " --duration 1e300 --out " + newDirectory() + " 2>&1");
+  EXPECT_EQ(endless.exit_code, 2);
+  EXPECT_NE(endless.out.find("must be at most 2^53 steps"), std::string::npos) << endless.out;
 }
 
 TEST(TradeProgram, ExitsWithThreeWhenTheReferenceDiverges) {

@@ -38,19 +38,18 @@ class AsymmetricRotation {
   /// The part of ψ/σ that is not proportional to time, from the argument u₀ to u = u₀ + v.
   T oscillation(const JacobiValues<T>& v, const JacobiValues<T>& u) const;
 
-  int a_;                 ///< index of the axis circled, 0 or 2
-  T sigma_;               ///< +1 about e₁, −1 about e₃
-  bool turned_;           ///< m_a < 0: described after half a turn about e₂
   Quaternion<T> before_;  ///< q₀ P₀⁻¹
-  T magnitude_;           ///< [kg m²/s] of L
+  Wide<T> lambda_, half_period_;
+  Wide<T> rate_, angle_per_half_period_;  ///< of ψ
+  T magnitude_;                           ///< [kg m²/s] of L
+  T sigma_;                               ///< +1 about e₁, −1 about e₃
   T amplitude_a_, amplitude_2_, amplitude_b_;
   JacobiValues<T> start_;
   JacobiFunctions<T> jacobi_;
-  T k2_;
+  T k2_, nu_, C_, r_, w_;
+  int a_;            ///< index of the axis circled, 0 or 2
+  bool turned_;      ///< m_a < 0: described after half a turn about e₂
   bool other_rate_;  ///< which of the two characteristics: n (rate G/I_b) or N (rate G/I_a)
-  T nu_, C_, r_, w_;
-  Wide<T> lambda_, half_period_;
-  Wide<T> rate_, angle_per_half_period_;  ///< of ψ
 };
 
 /// Free rotation exactly on the separatrix, D2 = 0: m goes once over from −e₂ to e₂,

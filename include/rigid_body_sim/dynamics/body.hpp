@@ -4,7 +4,6 @@
 
 #include <rigid_body_sim/dynamics/rotation_split.hpp>
 #include <rigid_body_sim/mass/mass_properties.hpp>
-#include <rigid_body_sim/mass/principal_axes.hpp>
 
 namespace rigid_body_sim {
 

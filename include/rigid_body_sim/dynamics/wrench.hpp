@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -38,9 +37,6 @@ struct PointWrench {
   double start = 0;                    ///< [s] acts for start <= t < end
   double end = std::numeric_limits<double>::infinity();  ///< [s]
 };
-
-/// Whether axes or point turn with a body other than the one acted on.
-bool isCoupled(const PointWrench& applied);
 
 /// A force or torque of an applied wrench, from its axes to the world's.
 Vector3d toWorldAxes(const PointWrench& applied, const Vector3d& v,

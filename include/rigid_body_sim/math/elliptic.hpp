@@ -13,40 +13,6 @@
 /// Carlson, Numerical Algorithms 10 (1995) 13; R. Bulirsch, Numerische Mathematik 7 (1965) 78.
 namespace rigid_body_sim {
 
-/// Carlson's symmetric integral of the first kind,
-///   RF(x, y, z) = ½ ∫₀^∞ dt / √((t+x)(t+y)(t+z)),
-/// for x, y, z ≥ 0, at most one of them zero. Duplication until the series of DLMF 19.36.1 holds.
-template <class T>
-T carlsonRF(T x, T y, T z) {
-  using std::abs;
-  using std::pow;
-  using std::sqrt;
-  const T mean0 = (x + y + z) / T(3);
-  // the first term left out of the series is about (spread/mean)⁸/8
-  static const T series_range = pow(T(2) * std::numeric_limits<T>::epsilon(), T(1) / T(8));
-  const T spread0 = std::max({abs(mean0 - x), abs(mean0 - y), abs(mean0 - z)}) / series_range;
-  T mean = mean0;
-  T quarter = T(1);
-  const T x0 = x, y0 = y;
-  while (quarter * spread0 > mean) {
-    const T sx = sqrt(x), sy = sqrt(y), sz = sqrt(z);
-    const T shift = sx * (sy + sz) + sy * sz;
-    x = (x + shift) / T(4);
-    y = (y + shift) / T(4);
-    z = (z + shift) / T(4);
-    mean = (mean + shift) / T(4);
-    quarter /= T(4);
-  }
-  const T X = (mean0 - x0) * quarter / mean;
-  const T Y = (mean0 - y0) * quarter / mean;
-  const T Z = -X - Y;
-  const T e2 = X * Y - Z * Z;
-  const T e3 = X * Y * Z;
-  const T series = T(1) - e2 / T(10) + e3 / T(14) + e2 * e2 / T(24) - T(3) * e2 * e3 / T(44) -
-                   T(5) * e2 * e2 * e2 / T(208) + T(3) * e3 * e3 / T(104) + e2 * e2 * e3 / T(16);
-  return series / sqrt(mean);
-}
-
 /// RC(1, 1 + e) = atan(√e)/√e for e ≥ 0, Carlson's degenerate integral.
 template <class T>
 T carlsonRC1p(T e) {
@@ -139,12 +105,6 @@ CompleteIntegrals<T> completeIntegrals(T mc, T nu) {
   }
   const T K = kPi<T> / (T(2) * a);
   return {K, K * nu / (T(2) * (T(1) - nu)) * sum};
-}
-
-/// Complete elliptic integral of the first kind for 0 < mc ≤ 1.
-template <class T>
-T completeK(T mc) {
-  return completeIntegrals(mc, T(0)).K;
 }
 
 /// Values of the Jacobi elliptic functions at one argument.

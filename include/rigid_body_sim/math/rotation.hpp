@@ -46,6 +46,13 @@ Vector3<T> rotateBack(const Quaternion<T>& q, const Vector3<T>& v) {
   return v - q.w() * t + u.cross(t);
 }
 
+/// Whether a quaternion that was written down or sent stands for a rotation: its norm is off 1 by
+/// no more than 1e-3. The margin is a few roundings of the norm: 1 − 0.999 comes out above 0.001.
+inline bool isNearlyUnit(const Quaterniond& q) {
+  constexpr double kMargin = 1e-15;
+  return std::abs(q.coeffs().stableNorm() - 1) <= 1e-3 + kMargin;
+}
+
 /// A quaternion whose norm is off 1 by e comes back off by 3e²/2: one Newton step of 1/sqrt,
 /// without a root or a division.
 template <class T>

@@ -6,7 +6,7 @@ namespace rigid_body_sim {
 
 /// What a scene may hold at most. Each limit is far above what is simulated and low enough that any
 /// file within it, however it was made, is read or refused within a few seconds and a gigabyte or
-/// two; doc/conventions.md has the measurements. One more is refused in one line.
+/// two; doc/robustness.md has the measurements. One more is refused in one line.
 
 constexpr std::size_t kMostSceneBytes = 16 << 20;  ///< of a scene's text
 constexpr std::size_t kMostDepth = 32;             ///< of lists and mappings in one another
@@ -16,6 +16,7 @@ constexpr std::size_t kMostNameBytes = 255;        ///< of the name of a body or
 constexpr std::size_t kMostBodies = 200000;
 constexpr std::size_t kMostPoints = 10000;  ///< of a body
 constexpr std::size_t kMostForces = 200000;
+constexpr double kMostSteps = 9007199254740992;  ///< 2⁵³: no double counts on by ones from there
 
 constexpr std::size_t kMostUrdfBytes = 16 << 20;
 constexpr std::size_t kMostMeshBytes = 256 << 20;  ///< of STL and OBJ

@@ -6,6 +6,9 @@
 
 namespace rigid_body_sim {
 
+/// What the name of a file ends in, from its last dot on, in lower case.
+std::string extensionOf(const std::string& path);
+
 /// Triangles of a mesh file, every length multiplied by scale: STL (ascii or binary), OBJ or DAE,
 /// told apart by the extension in either case. Polygons are divided into triangles; points and
 /// lines are left out. The surface is the one that rviz draws: COLLADA's transforms and unit apply,

@@ -19,9 +19,4 @@ struct ResolvedWrench {
 ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& bodies,
                              const FrameTable& frames);
 
-/// The wrench on a body that one frame F fixed to it says all about: force and torque [N, N m] in
-/// the axes of F, at the origin of F. X_PF: F in the body's principal frame.
-PointWrench wrenchAtFrame(std::size_t body, const Isometry3d& X_PF, const Vector3d& force_F,
-                          const Vector3d& torque_F);
-
 }  // namespace rigid_body_sim

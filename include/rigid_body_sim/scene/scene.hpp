@@ -20,6 +20,7 @@ struct TwistDef {
   bool in_body_axes = false;            ///< both vectors; else in world axes
   Vector3d linear = Vector3d::Zero();   ///< [m/s]
   Vector3d angular = Vector3d::Zero();  ///< [rad/s]
+  int line = 0;
 };
 
 /// A frame F fixed to a body, named `<body>/<point>`.
@@ -85,7 +86,7 @@ struct BodyDef : SolidDef {
   bool fixed = false;  ///< it never moves
   VisualDef visual;
 
-  int line = 0;
+  int line = 0;         ///< of its name
   int matter_line = 0;  ///< of the key that says what it is made of
 };
 
@@ -137,9 +138,10 @@ struct Scene {
   std::optional<Vector3d> gravity;  ///< [m/s²] none: no gravity
   double time_step = 0;             ///< [s] > 0
   std::string integrator = "auto";  ///< a name of the catalogue
-  double tolerance = 1e-9;          ///< with auto; see SolverOptions
-  bool tolerance_stated = false;    ///< whether the scene names it
-  double horizon = 10;              ///< [s] also how long `simulate` runs
+  int integrator_line = 0;
+  double tolerance = 1e-9;        ///< with auto; see SolverOptions
+  bool tolerance_stated = false;  ///< whether the scene names it
+  double horizon = 10;            ///< [s] also how long `simulate` runs
   std::vector<BodyDef> bodies;
   std::vector<ForceDef> forces;
   std::vector<WrenchDef> wrenches;

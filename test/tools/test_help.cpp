@@ -1,0 +1,38 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/run_command.hpp"
+
+namespace rigid_body_sim {
+
+struct Program {
+  const char* name;
+  const char* path;
+};
+
+class Help : public ::testing::TestWithParam<Program> {};
+
+TEST_P(Help, IsGivenByEveryProgramWithoutAMaster) {
+  // both streams: nothing but the help is said
+  const test::Outcome run = test::runCommand(std::string("ROS_MASTER_URI=http://localhost:1 ") +
+                                             GetParam().path + " --help 2>&1");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out.find("usage: "), 0U) << run.out;
+  EXPECT_NE(run.out.substr(0, run.out.find('\n')).find(GetParam().name), std::string::npos)
+      << run.out;
+  EXPECT_NE(run.out.find("--help"), std::string::npos) << run.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, Help,
+                         ::testing::Values(Program{"demo_pusher", RIGID_BODY_SIM_DEMO_PUSHER},
+                                           Program{"mass_properties",
+                                                   RIGID_BODY_SIM_MASS_PROPERTIES},
+                                           Program{"rigid_body_node", RIGID_BODY_SIM_NODE},
+                                           Program{"simulate", RIGID_BODY_SIM_SIMULATE},
+                                           Program{"trade", RIGID_BODY_SIM_TRADE}),
+                         [](const ::testing::TestParamInfo<Program>& program) {
+                           return std::string(program.param.name);
+                         });
+
+}  // namespace rigid_body_sim
