@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
+#include <rigid_body_sim/dynamics/taylor_equations.hpp>
 #include <rigid_body_sim/math/types.hpp>
 
 /// What the recursion of the Taylor segment is written in.
@@ -13,16 +15,13 @@ namespace rigid_body_sim {
 template <class T>
 using Array4 = Eigen::Array<T, 4, 1>;
 
-/// Three components as four lanes.
+/// 1/n, up to the highest degree
 template <class T>
-Array4<T> lanes(const Vector3<T>& v) {
-  return Array4<T>(v.x(), v.y(), v.z(), T(0));
-}
-
-template <class T>
-T maxAbs(const Array4<T>& a) {
-  return a.abs().maxCoeff();
-}
+constexpr std::array<T, kHighestTaylorDegree + 1> kInverse = [] {
+  std::array<T, kHighestTaylorDegree + 1> inverse{};
+  for (std::size_t n = 1; n < inverse.size(); ++n) inverse[n] = T(1) / T(n);
+  return inverse;
+}();
 
 /// The rotation matrix of a unit quaternion from products of its components: (xx, yy, zz),
 /// (xy, yz, zx) and (wx, wy, wz). With a series, or its integral, `one` is that of 1.
