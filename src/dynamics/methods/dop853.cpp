@@ -112,8 +112,8 @@ void dop853Step(const System& system, double h, std::vector<BodyState>& states,
   double last_error = std::numeric_limits<double>::infinity();
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
     const double error = stepInParts(system, h, parts, states, workspace);
-    if (error <= workspace.step_bound.error ||
-        (std::isfinite(error) && error > last_error / kGain)) {
+    const bool gains = error <= last_error / kGain && parts < kMostParts;
+    if (error <= workspace.step_bound.error || (std::isfinite(error) && !gains)) {
       workspace.wrenches_current = false;
       return;
     }
