@@ -7,4 +7,4 @@ endfunction()
 
 rigid_body_fuzzer(mesh rigid_body_sim_scene)
 rigid_body_fuzzer(scene rigid_body_sim_scene)
-rigid_body_fuzzer(wrench rigid_body_sim_ros)
+rigid_body_fuzzer(wrench rigid_body_sim_ros ${CONSOLE_BRIDGE_LIBRARY})

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <console_bridge/console.h>
 #include <ros/serialization.h>
 
 #include <rigid_body_sim/dynamics/wrench_schedule.hpp>
@@ -80,6 +81,12 @@ void take(const WrenchRequest& request, const StaticFrames& static_frames, const
 
 }  // namespace
 }  // namespace rigid_body_sim
+
+/// tf2 prints every transform that it refuses: gigabytes in half an hour.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  console_bridge::noOutputHandler();
+  return 0;
+}
 
 /// Any bytes that arrive as messages, after a first byte that says of which kind, become a wrench
 /// that the core can take or are refused in one line.
