@@ -37,6 +37,7 @@ rigid_body_gtest(test_dynamics
     test/dynamics/test_laws.cpp
     test/dynamics/test_auto.cpp
     test/dynamics/test_balance.cpp
+    test/dynamics/test_foreseen_motion.cpp
     test/dynamics/test_methods.cpp
     test/dynamics/test_stiff_laws.cpp
     test/dynamics/test_simulation.cpp

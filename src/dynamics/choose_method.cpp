@@ -57,6 +57,7 @@ class Trial {
     try {
       for (int i = 0; i < steps_; ++i) {
         group.advance(time(i), time(i + 1), schedules, bodies);
+        group.putStates(bodies);
         if ((i + 1) * kInstants / steps_ > i * kInstants / steps_)
           run.track.push_back(membersOf(bodies));
       }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -56,20 +57,29 @@ void Group::restart(double t, std::vector<WrenchSchedule>& schedules) {
   gatherWrenches(schedules);
 }
 
+double Group::foreseenUntil(const std::vector<WrenchSchedule>& schedules) const {
+  if (!solved_) return -std::numeric_limits<double>::infinity();
+  return std::min(solved_->finiteUntil(), schedules[members_[0]].nextEvent());
+}
+
+void Group::putForeseen(double t, std::vector<BodyState>& bodies) const {
+  bodies[members_[0]] = solved_->at(t);
+}
+
 void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-                    std::vector<BodyState>& bodies) {
+                    const std::vector<BodyState>& bodies) {
   NoMeter none;
   advanceMetered(t, t_end, schedules, bodies, none);
 }
 
 void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-                    std::vector<BodyState>& bodies, ExchangeMeter& meter) {
+                    const std::vector<BodyState>& bodies, ExchangeMeter& meter) {
   advanceMetered(t, t_end, schedules, bodies, meter);
 }
 
 template <class Meter>
 void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-                           std::vector<BodyState>& bodies, Meter& meter) {
+                           const std::vector<BodyState>& bodies, Meter& meter) {
   for (std::size_t k = 0; k < members_.size(); ++k) states_[k] = bodies[members_[k]];
 
   while (t < t_end) {
@@ -86,7 +96,9 @@ void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& 
     if (changed && t >= choice_.tried_until) distrustTrial();
     if (changed) gatherWrenches(schedules);
   }
+}
 
+void Group::putStates(std::vector<BodyState>& bodies) const {
   for (std::size_t k = 0; k < members_.size(); ++k) bodies[members_[k]] = states_[k];
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -15,6 +16,8 @@ std::string divergedMessage(double time, const std::string& body, const std::str
   message << "t = " << time << " s: body '" << body << "': " << quantity;
   return message.str();
 }
+
+constexpr double kNotForeseen = -std::numeric_limits<double>::infinity();
 
 /// The first quantity of a state that is not finite; null when all are.
 const char* nonFiniteQuantity(const BodyState& s) {
@@ -61,57 +64,94 @@ void Simulation::reset(bool restart_time) {
   startBalance();
 }
 
+const State& Simulation::state() const {
+  if (lags_)
+    for (std::size_t g = 0; g < groups_.size(); ++g) catchUp(g);
+  lags_ = false;
+  return state_;
+}
+
+/// Evaluates the present of a group whose motion is foreseen.
+void Simulation::catchUp(std::size_t group) const {
+  if (lags_ && state_.t < foreseen_until_[group])
+    groups_[group].putForeseen(state_.t, state_.bodies);
+}
+
 void Simulation::step() {
   if (tracked_) return trackedStep();
-  stepBy([](Group& group, auto&... between) { group.advance(between...); });
+  stepBy(false, [](Group& group, auto&... between) { group.advance(between...); });
 }
 
 void Simulation::trackedStep() {
   if (balance_) {
     ExchangeMeter& meter = balance_->beginStep();
-    stepBy([&](Group& group, auto&... between) { group.advance(between..., meter); });
+    stepBy(true, [&](Group& group, auto&... between) { group.advance(between..., meter); });
     balance_->endStep();
   } else {
-    stepBy([](Group& group, auto&... between) { group.advance(between...); });
+    stepBy(true, [](Group& group, auto&... between) { group.advance(between...); });
   }
   if (tracks_error_ && steps_ % 2 == 0) followCoarse();
 }
 
-/// One step, each group by advance(group, t, t_end, schedules, bodies).
+/// One step, each group by advance(group, t, t_end, schedules, bodies), but those that are foreseen
+/// beyond it only if they are to be, too.
 template <class Advance>
-void Simulation::stepBy(const Advance& advance) {
-  next_ = state_;
-  next_.t = static_cast<double>(steps_ + 1) * world_->solver.time_step;
-  for (Group& group : groups_) {
+void Simulation::stepBy(bool foreseen_too, const Advance& advance) {
+  const double t_end = static_cast<double>(steps_ + 1) * world_->solver.time_step;
+  advanced_.clear();
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (t_end < foreseen_until_[g] && !foreseen_too) continue;
+    // from here on state_ holds its present, should the step fail
+    catchUp(g);
+    foreseen_until_[g] = kNotForeseen;
+    advanced_.push_back(g);
     try {
-      advance(group, state_.t, next_.t, schedules_, next_.bodies);
+      advance(groups_[g], state_.t, t_end, schedules_, state_.bodies);
     } catch (const StepTooLong& reason) {
-      throw SimulationDiverged(state_.t, world_->bodies[group.members().front()].name,
+      throw SimulationDiverged(state_.t, world_->bodies[groups_[g].members().front()].name,
                                reason.what());
     }
   }
-  acceptStep();
+  acceptStep(t_end);
+}
+
+void Simulation::requireFinite(const Group& group) const {
+  for (std::size_t k = 0; k < group.members().size(); ++k) {
+    if (std::isfinite(sumOfAll(group.states()[k]))) continue;
+    if (const char* quantity = nonFiniteQuantity(group.states()[k]))
+      throw SimulationDiverged(state_.t, world_->bodies[group.members()[k]].name, quantity);
+  }
 }
 
 /// Makes the step's end the present, where it is finite.
-void Simulation::acceptStep() {
-  for (std::size_t i = 0; i < next_.bodies.size(); ++i) {
-    if (std::isfinite(sumOfAll(next_.bodies[i]))) continue;
-    if (const char* quantity = nonFiniteQuantity(next_.bodies[i]))
-      throw SimulationDiverged(state_.t, world_->bodies[i].name, quantity);
+void Simulation::acceptStep(double t_end) {
+  for (std::size_t g : advanced_) requireFinite(groups_[g]);
+  for (std::size_t g : advanced_) {
+    groups_[g].putStates(state_.bodies);
+    foreseen_until_[g] = groups_[g].foreseenUntil(schedules_);
   }
-  std::swap(state_, next_);
+  lags_ |= advanced_.size() < groups_.size();
+  state_.t = t_end;
   ++steps_;
 }
 
 State Simulation::sample(double t) const {
   std::vector<WrenchSchedule> schedules = schedules_;
-  State state{t, state_.bodies};
-  for (Group group : groups_) group.advance(state_.t, t, schedules, state.bodies);
-  return state;
+  State sampled{t, state().bodies};
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (t < foreseen_until_[g]) {
+      groups_[g].putForeseen(t, sampled.bodies);
+      continue;
+    }
+    Group group = groups_[g];
+    group.advance(state_.t, t, schedules, sampled.bodies);
+    group.putStates(sampled.bodies);
+  }
+  return sampled;
 }
 
 void Simulation::formGroups() {
+  state();  // for groups to start from
   for (const Group& group : groups_)
     if (group.choice().controlled) disturb(group.members().front());
   groups_.clear();
@@ -128,6 +168,15 @@ void Simulation::formGroups() {
     groups_.emplace_back(*world_, bodies, choice);
     groups_.back().restart(state_.t, schedules_);
   }
+  foreseen_until_.assign(groups_.size(), kNotForeseen);
+}
+
+/// Begins anew from the present, what acts on a body or its state being another from now on.
+void Simulation::restartGroup(std::size_t body) {
+  const std::size_t group = group_of_[body];
+  catchUp(group);
+  groups_[group].restart(state_.t, schedules_);
+  foreseen_until_[group] = kNotForeseen;
 }
 
 /// The row named by the scene; with auto, none where the motion can be solved, else the cheapest
@@ -165,7 +214,7 @@ void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench)
   schedules_[wrench.body].put(slot, wrench, state_.t);
   disturb(wrench.body);
   if (HeldWrench::holds(wrench))
-    groups_[group_of_[wrench.body]].restart(state_.t, schedules_);
+    restartGroup(wrench.body);
   else
     formGroups();
   if (coarse_) {
@@ -218,14 +267,14 @@ std::size_t Simulation::wrenchCount() const {
 Wrench Simulation::appliedWrench(std::size_t body) const {
   Wrench wrench;
   for (const PointWrench& applied : schedules_[body].active())
-    addPointWrench(applied, state_.bodies, wrench);
+    addPointWrench(applied, state().bodies, wrench);
   return wrench;
 }
 
 void Simulation::setState(std::size_t body, const BodyState& state) {
-  state_.bodies[body] = state;
   disturb(body);
-  groups_[group_of_[body]].restart(state_.t, schedules_);
+  restartGroup(body);
+  state_.bodies[body] = state;
   coarse_.reset();
   startBalance();
 }

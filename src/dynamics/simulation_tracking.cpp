@@ -35,15 +35,15 @@ void Simulation::startCoarse() {
 
 void Simulation::trackBalance() {
   tracked_ = true;
-  if (!balance_) balance_.emplace(*world_, state_);
+  if (!balance_) balance_.emplace(*world_, state());
 }
 
 void Simulation::startBalance() {
-  if (balance_) balance_.emplace(*world_, state_);
+  if (balance_) balance_.emplace(*world_, state());
 }
 
 Totals Simulation::balance() const {
-  return balance_ ? balance_->remainder(*world_, state_) : Totals::unknown();
+  return balance_ ? balance_->remainder(*world_, state()) : Totals::unknown();
 }
 
 Totals Simulation::exchanged() const {
@@ -70,7 +70,7 @@ void Simulation::followCoarse() {
     // a solved motion is held against itself solved to rounding
     const double ratio = group.choice().method ? std::exp2(group.choice().method->order) - 1 : 1;
     for (std::size_t body : group.members()) {
-      const BodyState &fine = state_.bodies[body], &coarse = coarse_->state_.bodies[body];
+      const BodyState &fine = state().bodies[body], &coarse = coarse_->state().bodies[body];
       error_.attitude = std::max(error_.attitude, angleBetween(fine.q_WP, coarse.q_WP) / ratio);
       error_.position = std::max(error_.position, (fine.x_W - coarse.x_W).norm() / ratio);
     }

@@ -1,6 +1,45 @@
+#include <algorithm>
+
 #include <rigid_body_sim/dynamics/solved_motion.hpp>
 
 namespace rigid_body_sim {
+namespace {
+
+// Numbers from 1/kModest to kModest, over times up to kModestTime, stay finite in every product of a
+// solution: (L/I)² is the greatest of them, 1e240.
+constexpr double kModest = 1e60;
+constexpr double kModestTime = 1e30;
+
+bool isModest(const Vector3d& v) { return v.lpNorm<1>() < kModest; }
+
+bool isModest(const Body& body) {
+  return body.mass > 1 / kModest && body.mass < kModest && body.I(0) > 1 / kModest;
+}
+
+bool isModest(const BodyState& state) {
+  return isModest(state.x_W) && isModest(state.p_W) && isModest(state.L_W);
+}
+
+bool isModest(const HeldWrench& wrench) {
+  const auto lever = [](const HeldWrench::Lever& l) {
+    return isModest(l.arm_P) && isModest(l.force_W);
+  };
+  const auto pull = [](const HeldWrench::Pull& p) {
+    return isModest(p.point_W) && isModest(p.force_W);
+  };
+  return isModest(wrench.f_W) && isModest(wrench.tau_W) && isModest(wrench.f_P) &&
+         isModest(wrench.tau_P) &&
+         std::all_of(wrench.levers.begin(), wrench.levers.end(), lever) &&
+         std::all_of(wrench.pulls.begin(), wrench.pulls.end(), pull);
+}
+
+double finiteFor(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
+                 const BodyState& state) {
+  const bool modest = isModest(body) && isModest(wrench) && isModest(g_W) && isModest(state);
+  return modest ? kModestTime : 0;
+}
+
+}  // namespace
 
 SolvedMotion::SolvedMotion(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
                            double t, const BodyState& state, double horizon,
@@ -15,6 +54,7 @@ SolvedMotion::SolvedMotion(const Body& body, const HeldWrench& wrench, const Vec
     motion_ = std::make_shared<TaylorSegment>(body, wrench, g_W, state, horizon, bound);
     valid_until_ = t + std::get<TaylorPointer>(motion_)->validFor();
   }
+  finite_until_ = std::min(valid_until_, t + finiteFor(body, wrench, g_W, state));
 }
 
 void SolvedMotion::anchorAnew(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
@@ -28,6 +68,7 @@ void SolvedMotion::anchorAnew(const Body& body, const HeldWrench& wrench, const 
   (*segment)->startAnew(wrench, state, horizon);
   anchor_ = t;
   valid_until_ = t + (*segment)->validFor();
+  finite_until_ = std::min(valid_until_, t + finiteFor(body, wrench, g_W, state));
 }
 
 BodyState SolvedMotion::at(double t) const {

@@ -22,6 +22,13 @@ class Group {
   const MethodChoice& choice() const { return choice_; }
   const std::vector<std::size_t>& members() const { return members_; }
 
+  /// [s] Up to, but without, this time nothing starts or ends, nothing is to be advanced and nothing
+  /// can fail: putForeseen() tells the state. Minus infinity where there is no solution yet.
+  double foreseenUntil(const std::vector<WrenchSchedule>& schedules) const;
+
+  /// Writes the foreseen state at t < foreseenUntil() among those of all bodies.
+  void putForeseen(double t, std::vector<BodyState>& bodies) const;
+
   /// To be called when the motion is no longer the one on which the choice was tried, because a
   /// message, say, changes it: a choice that was tried gives way to controlledChoice(). A wrench of
   /// the schedule that starts or ends after the trial's end does the same by itself.
@@ -31,14 +38,20 @@ class Group {
   /// schedules or states from outside. schedules: one per body of the world.
   void restart(double t, std::vector<WrenchSchedule>& schedules);
 
-  /// Advances the members' states among those of all bodies from t to t_end, split at every instant
-  /// at which a wrench starts or ends. Throws StepTooLong.
+  /// Advances the members from t, where theirs are among the states of all bodies, to t_end, split
+  /// at every instant at which a wrench starts or ends: to states(). Throws StepTooLong.
   void advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-               std::vector<BodyState>& bodies);
+               const std::vector<BodyState>& bodies);
 
   /// The same, metered.
   void advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-               std::vector<BodyState>& bodies, ExchangeMeter& meter);
+               const std::vector<BodyState>& bodies, ExchangeMeter& meter);
+
+  /// The members' states where they were last advanced to, in the order of members().
+  const std::vector<BodyState>& states() const { return states_; }
+
+  /// Writes them among those of all bodies.
+  void putStates(std::vector<BodyState>& bodies) const;
 
   /// The parts in which a step of h must at least be taken for the method to follow what turns,
   /// swings or decays at the present states of all bodies.
@@ -56,7 +69,7 @@ class Group {
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
   template <class Meter>
   void advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-                      std::vector<BodyState>& bodies, Meter& meter);
+                      const std::vector<BodyState>& bodies, Meter& meter);
   template <class Meter>
   void solve(double t, double t_end, double next_event, Meter& meter);
   StepBound stepBound(double h, double rate) const;
@@ -69,7 +82,7 @@ class Group {
   MethodChoice choice_;
   System system_;
   Workspace workspace_;
-  std::vector<BodyState> states_;       // of the members, while they are advanced
+  std::vector<BodyState> states_;
   std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
   ErrorBound bound_;                    // of a solved motion; none: to rounding
   ErrorBound promise_;                  // what auto holds of a stepped one

@@ -41,7 +41,11 @@ class Simulation {
   Simulation(World world, State initial);
 
   const World& world() const { return *world_; }
-  const State& state() const { return state_; }
+
+  /// The present. A motion that is solved is evaluated here, where somebody asks, and not at every
+  /// step: for two threads at once that is not, though const.
+  const State& state() const;
+
   double time() const { return state_.t; }
   std::int64_t steps() const { return steps_; }
 
@@ -119,10 +123,13 @@ class Simulation {
   static constexpr double kFullTrials = 10;  // groups that may take so much; more of them share it
 
   template <class Advance>
-  void stepBy(const Advance& advance);
-  void acceptStep();
+  void stepBy(bool foreseen_too, const Advance& advance);
+  void requireFinite(const Group& group) const;
+  void acceptStep(double t_end);
+  void catchUp(std::size_t group) const;
   void trackedStep();
   void formGroups();
+  void restartGroup(std::size_t body);
   void disturb(std::size_t body);
   MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
   bool solvedToRounding(const Group& group) const;
@@ -133,11 +140,13 @@ class Simulation {
   std::shared_ptr<const World> world_;
   std::shared_ptr<const State> initial_;
   const Method* method_;  // null: auto
-  State state_;
-  State next_;
+  mutable State state_;        // its bodies may be behind its time
+  mutable bool lags_ = false;  // whether some are
   std::int64_t steps_ = 0;
   std::vector<WrenchSchedule> schedules_;  // one per body
   std::vector<Group> groups_;
+  std::vector<double> foreseen_until_;  // Group's, index by index; infinite past: not known
+  std::vector<std::size_t> advanced_;   // groups that a step advances; used inside it
   std::vector<std::size_t> group_of_;  // body -> index in groups_; of no account for a fixed body
   std::map<std::vector<std::size_t>, MethodChoice> choices_;  // of auto's trials, by members
   std::vector<bool> disturbed_;  // bodies that do not move as they did in a trial

@@ -23,6 +23,10 @@ class SolvedMotion {
   /// [s] the time up to which the solution holds; NaN where the motion is not finite.
   double validUntil() const { return valid_until_; }
 
+  /// [s] the time up to which, moreover, all of it is finite for certain; the anchor where the
+  /// numbers are so large that only evaluation tells.
+  double finiteUntil() const { return finite_until_; }
+
   /// Whether the body turns freely: then another anchor at validUntil() would not help it.
   bool isFree() const { return std::holds_alternative<FreeFlight>(motion_); }
 
@@ -34,6 +38,7 @@ class SolvedMotion {
 
   double anchor_;
   double valid_until_;
+  double finite_until_;
   std::variant<FreeFlight, TaylorPointer> motion_;
 };
 
