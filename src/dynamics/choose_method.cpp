@@ -25,7 +25,11 @@ class Trial {
  public:
   Trial(const World& world, const CoupledBodies& group, const State& state,
         const std::vector<WrenchSchedule>& schedules, double most_body_steps)
-      : world_(world), group_(group), start_(state), schedules_(schedules) {
+      : world_(world),
+        group_(group),
+        needs_(needsOf(world, group, schedules)),
+        start_(state),
+        schedules_(schedules) {
     const double h = world.solver.time_step;
     const double wanted = std::max(1.0, std::ceil(world.solver.horizon / h));
     const double affordable = most_body_steps / static_cast<double>(group.members.size());
@@ -49,7 +53,7 @@ class Trial {
   /// Nothing where the method cannot follow.
   std::optional<Run> run(const Method& method, int parts) const {
     constexpr int kInstants = 16;
-    Group group(world_, group_, {&method, parts});
+    Group group(world_, group_, needs_, {&method, parts});
     std::vector<WrenchSchedule> schedules = schedules_;
     std::vector<BodyState> bodies = start_.bodies;
     group.restart(start_.t, schedules);
@@ -94,7 +98,7 @@ class Trial {
  private:
   /// Parts of a step that dop853 cannot do without at the start.
   double partsNeeded() const {
-    Group group(world_, group_, {&methodNamed("dop853")});
+    Group group(world_, group_, needs_, {&methodNamed("dop853")});
     std::vector<WrenchSchedule> schedules = schedules_;
     group.restart(start_.t, schedules);
     return std::min(1e5, group.partsNeeded(world_.solver.time_step, start_.bodies));
@@ -110,6 +114,7 @@ class Trial {
 
   const World& world_;
   const CoupledBodies& group_;
+  unsigned needs_;
   const State& start_;
   const std::vector<WrenchSchedule>& schedules_;
   int steps_ = 1;

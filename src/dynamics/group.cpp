@@ -18,8 +18,10 @@ struct NoMeter {
 
 }  // namespace
 
-Group::Group(const World& world, const CoupledBodies& bodies, const MethodChoice& choice)
+Group::Group(const World& world, const CoupledBodies& bodies, unsigned needs,
+             const MethodChoice& choice)
     : members_(bodies.members),
+      needs_(needs),
       choice_(choice),
       states_(members_.size()),
       promise_{world.solver.tolerance, world.solver.horizon} {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -54,7 +55,10 @@ void Simulation::reset(bool restart_time) {
   if (restart_time)
     for (const PointWrench& wrench : world_->wrenches)
       schedules_[wrench.body].put("", wrench, state_.t);
+  at_most_ = wrenchCount();
   groups_.clear();
+  most_parts_ = 1;
+  evaluations_ = 0;
   disturbed_.assign(world_->bodies.size(), false);
   // what was tried with the scene's wrenches, which come no more
   if (!restart_time && !world_->wrenches.empty()) choices_.clear();
@@ -79,53 +83,72 @@ void Simulation::catchUp(std::size_t group) const {
 
 void Simulation::step() {
   if (tracked_) return trackedStep();
-  stepBy(false, [](Group& group, auto&... between) { group.advance(between...); });
+  stepBy(false);
 }
 
 void Simulation::trackedStep() {
   if (balance_) {
-    ExchangeMeter& meter = balance_->beginStep();
-    stepBy(true, [&](Group& group, auto&... between) { group.advance(between..., meter); });
+    stepBy(true, balance_->beginStep());
     balance_->endStep();
   } else {
-    stepBy(true, [](Group& group, auto&... between) { group.advance(between...); });
+    stepBy(true);
   }
   if (tracks_error_ && steps_ % 2 == 0) followCoarse();
 }
 
-/// One step, each group by advance(group, t, t_end, schedules, bodies), but those that are foreseen
-/// beyond it only if they are to be, too.
-template <class Advance>
-void Simulation::stepBy(bool foreseen_too, const Advance& advance) {
+/// One step; of groups that are foreseen beyond it only if they are to take it, too.
+template <class... Meter>
+void Simulation::stepBy(bool foreseen_too, Meter&... meter) {
   const double t_end = static_cast<double>(steps_ + 1) * world_->solver.time_step;
   advanced_.clear();
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    if (t_end < foreseen_until_[g] && !foreseen_too) continue;
-    // from here on state_ holds its present, should the step fail
-    catchUp(g);
-    foreseen_until_[g] = kNotForeseen;
-    advanced_.push_back(g);
-    try {
-      advance(groups_[g], state_.t, t_end, schedules_, state_.bodies);
-    } catch (const StepTooLong& reason) {
-      throw SimulationDiverged(state_.t, world_->bodies[groups_[g].members().front()].name,
-                               reason.what());
+  consumed_.clear();
+  try {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (t_end < foreseen_until_[g] && !foreseen_too) continue;
+      begin(g, t_end);
+      advance(groups_[g], t_end, schedules_, meter...);
     }
+  } catch (const SimulationDiverged&) {
+    takeBack();
+    throw;
   }
-  acceptStep(t_end);
+  accept(t_end);
 }
 
-void Simulation::requireFinite(const Group& group) const {
-  for (std::size_t k = 0; k < group.members().size(); ++k) {
+/// Advances a group from the present, on its own account, to a state that is finite.
+template <class... Meter>
+void Simulation::advance(Group& group, double t_end, std::vector<WrenchSchedule>& schedules,
+                         Meter&... meter) const {
+  const auto nameOf = [&](std::size_t k) { return world_->bodies[group.members()[k]].name; };
+  try {
+    group.advance(state_.t, t_end, schedules, state_.bodies, meter...);
+  } catch (const StepTooLong& reason) {
+    throw SimulationDiverged(state_.t, nameOf(0), reason.what());
+  }
+  for (std::size_t k = 0; k < group.states().size(); ++k) {
     if (std::isfinite(sumOfAll(group.states()[k]))) continue;
     if (const char* quantity = nonFiniteQuantity(group.states()[k]))
-      throw SimulationDiverged(state_.t, world_->bodies[group.members()[k]].name, quantity);
+      throw SimulationDiverged(state_.t, nameOf(k), quantity);
   }
 }
 
-/// Makes the step's end the present, where it is finite.
-void Simulation::acceptStep(double t_end) {
-  for (std::size_t g : advanced_) requireFinite(groups_[g]);
+/// Keeps what takeBack needs.
+void Simulation::begin(std::size_t group, double t_end) {
+  catchUp(group);
+  foreseen_until_[group] = kNotForeseen;
+  advanced_.push_back(group);
+  for (std::size_t body : groups_[group].members())
+    if (schedules_[body].nextEvent() <= t_end) consumed_.emplace_back(body, schedules_[body]);
+}
+
+/// Makes a step that has failed one that was never begun.
+void Simulation::takeBack() {
+  for (auto& [body, schedule] : consumed_) schedules_[body] = std::move(schedule);
+  for (std::size_t g : advanced_) groups_[g].restart(state_.t, schedules_);
+}
+
+/// Makes the step's end the present.
+void Simulation::accept(double t_end) {
   for (std::size_t g : advanced_) {
     groups_[g].putStates(state_.bodies);
     foreseen_until_[g] = groups_[g].foreseenUntil(schedules_);
@@ -136,53 +159,73 @@ void Simulation::acceptStep(double t_end) {
 }
 
 State Simulation::sample(double t) const {
-  std::vector<WrenchSchedule> schedules = schedules_;
   State sampled{t, state().bodies};
+  std::vector<WrenchSchedule> schedules = schedules_;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     if (t < foreseen_until_[g]) {
       groups_[g].putForeseen(t, sampled.bodies);
       continue;
     }
     Group group = groups_[g];
-    group.advance(state_.t, t, schedules, sampled.bodies);
+    advance(group, t, schedules);
     group.putStates(sampled.bodies);
   }
   return sampled;
 }
 
+void Simulation::formGroupsAnew() {
+  state();
+  for (const Group& group : groups_)
+    if (group.choice().controlled) markDisturbed(group);
+  groups_.clear();
+  formGroups();
+}
+
+/// Groups that are what they were go on as they are.
 void Simulation::formGroups() {
   state();  // for groups to start from
-  for (const Group& group : groups_)
-    if (group.choice().controlled) disturb(group.members().front());
+  std::map<std::vector<std::size_t>, Group> former;
+  for (Group& group : groups_) {
+    if (group.choice().controlled) markDisturbed(group);
+    former.emplace(group.members(), std::move(group));
+  }
   groups_.clear();
-  group_of_.assign(world_->bodies.size(), 0);
+
   const std::vector<CoupledBodies> all = coupledBodies(*world_, schedules_);
   const auto trials = std::count_if(all.begin(), all.end(), [this](const CoupledBodies& bodies) {
     return bodies.members.size() > 1 || needsOf(*world_, bodies, schedules_) != 0;
   });
   const double share = std::min(1.0, kFullTrials / std::max(1.0, static_cast<double>(trials)));
+  group_of_.assign(world_->bodies.size(), 0);
   for (const CoupledBodies& bodies : all) {
     for (std::size_t body : bodies.members) group_of_[body] = groups_.size();
-    MethodChoice choice = chosen(bodies, share * kMostTrialSteps);
+    const unsigned needs = needsOf(*world_, bodies, schedules_);
+    const auto same = former.find(bodies.members);
+    if (same != former.end() && same->second.needs() == needs) {
+      groups_.push_back(std::move(same->second));
+      former.erase(same);
+      continue;
+    }
+    MethodChoice choice = chosen(bodies, needs, share * kMostTrialSteps);
     choice.most_turn_share = most_turn_share_;
-    groups_.emplace_back(*world_, bodies, choice);
+    groups_.emplace_back(*world_, bodies, needs, choice);
     groups_.back().restart(state_.t, schedules_);
   }
-  foreseen_until_.assign(groups_.size(), kNotForeseen);
+  for (const auto& [members, group] : former) addToFormer(group);
+  foreseen_until_.clear();
+  for (const Group& group : groups_) foreseen_until_.push_back(group.foreseenUntil(schedules_));
 }
 
-/// Begins anew from the present, what acts on a body or its state being another from now on.
-void Simulation::restartGroup(std::size_t body) {
-  const std::size_t group = group_of_[body];
-  catchUp(group);
-  groups_[group].restart(state_.t, schedules_);
-  foreseen_until_[group] = kNotForeseen;
+/// What a run counts outlives the groups in which it was counted.
+void Simulation::addToFormer(const Group& group) {
+  most_parts_ = std::max(most_parts_, group.mostParts());
+  evaluations_ += group.evaluations();
 }
 
 /// The row named by the scene; with auto, none where the motion can be solved, else the cheapest
 /// for the motion that the scene foretells, or what follows any other.
-MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_steps) {
-  const unsigned needs = needsOf(*world_, bodies, schedules_);
+MethodChoice Simulation::chosen(const CoupledBodies& bodies, unsigned needs,
+                                double most_trial_steps) {
   if (method_) {
     requireTaken(*method_, needs, world_->bodies[bodies.members.front()].name);
     return {method_};
@@ -197,63 +240,88 @@ MethodChoice Simulation::chosen(const CoupledBodies& bodies, double most_trial_s
              chooseMethod(*world_, bodies, state_, schedules_, most_trial_steps);
 }
 
+/// Begins anew from the present, what acts on a body or its state being another from now on.
+void Simulation::restartGroup(std::size_t body) {
+  const std::size_t group = group_of_[body];
+  catchUp(group);
+  groups_[group].restart(state_.t, schedules_);
+  foreseen_until_[group] = kNotForeseen;
+}
+
 /// Bodies that act on one another no longer move as the scene foretold.
 void Simulation::disturb(std::size_t body) {
-  if (world_->bodies[body].fixed) return;
   Group& group = groups_[group_of_[body]];
-  for (std::size_t member : group.members()) disturbed_[member] = true;
+  markDisturbed(group);
   group.distrustTrial();
 }
 
+void Simulation::markDisturbed(const Group& group) {
+  for (std::size_t member : group.members()) disturbed_[member] = true;
+}
+
 void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench) {
-  if (wrenchCount() >= kMostWrenches)
+  const Body& body = world_->bodies[wrench.body];
+  assert(!body.fixed);
+  if (at_most_ >= kMostWrenches) at_most_ = wrenchCount();
+  const bool replaces =
+      !slot.empty() && wrench.start <= state_.t && schedules_[wrench.body].holds(slot);
+  if (at_most_ >= kMostWrenches && !replaces)
     throw std::invalid_argument("at most " + std::to_string(kMostWrenches) +
                                 " wrenches may act or be to come");
-  if (method_ && !HeldWrench::holds(wrench))
-    requireTaken(*method_, kCoupling, world_->bodies[wrench.body].name);
+  if (method_ && !HeldWrench::holds(wrench)) requireTaken(*method_, kCoupling, body.name);
+  put(slot, wrench);
+  if (!coarse_) return;
+  ownCoarse().choices_ = choices_;
+  coarse_->put(slot, wrench);
+}
+
+void Simulation::put(const std::string& slot, const PointWrench& wrench) {
   schedules_[wrench.body].put(slot, wrench, state_.t);
+  ++at_most_;
   disturb(wrench.body);
-  if (HeldWrench::holds(wrench))
-    restartGroup(wrench.body);
-  else
-    formGroups();
-  if (coarse_) {
-    coarse_->choices_ = choices_;
-    coarse_->applyWrench(slot, wrench);
-  }
+  restartGroup(wrench.body);
+  if (!HeldWrench::holds(wrench)) formGroups();
 }
 
 void Simulation::clearWrenches() {
-  for (std::size_t body = 0; body < schedules_.size(); ++body) {
-    if (schedules_[body].size() > 0) disturb(body);
-    schedules_[body].clear();
-  }
-  formGroups();
-  coarse_.reset();
+  clearBodies(0, schedules_.size(), [](WrenchSchedule& schedule) { return schedule.clear(); });
+}
+
+void Simulation::clearWrenches(const std::string& slot) {
+  clearBodies(0, schedules_.size(), [&](WrenchSchedule& schedule) { return schedule.clear(slot); });
 }
 
 void Simulation::clearWrenches(std::size_t body) {
-  if (schedules_[body].size() > 0) disturb(body);
-  schedules_[body].clear();
-  formGroups();
-  coarse_.reset();
+  clearBodies(body, body + 1, [](WrenchSchedule& schedule) { return schedule.clear(); });
 }
 
 void Simulation::clearWrenches(std::size_t body, const std::string& slot) {
-  if (schedules_[body].size() > 0) disturb(body);
-  schedules_[body].clear(slot);
-  formGroups();
-  coarse_.reset();
+  clearBodies(body, body + 1, [&](WrenchSchedule& schedule) { return schedule.clear(slot); });
+}
+
+/// clear(schedule) returns whether anything has gone.
+template <class Clear>
+void Simulation::clearBodies(std::size_t begin, std::size_t end, const Clear& clear) {
+  bool uncoupled = false;
+  for (std::size_t body = begin; body < end; ++body) {
+    const bool all_held = schedules_[body].allHeld();
+    if (!clear(schedules_[body])) continue;
+    disturb(body);
+    restartGroup(body);
+    uncoupled |= !all_held;
+    coarse_.reset();
+  }
+  if (uncoupled) formGroups();
 }
 
 int Simulation::mostParts() const {
-  int most = 1;
+  int most = most_parts_;
   for (const Group& group : groups_) most = std::max(most, group.mostParts());
   return most;
 }
 
 std::int64_t Simulation::evaluations() const {
-  std::int64_t sum = 0;
+  std::int64_t sum = evaluations_;
   for (const Group& group : groups_) sum += group.evaluations();
   return sum;
 }
@@ -272,6 +340,7 @@ Wrench Simulation::appliedWrench(std::size_t body) const {
 }
 
 void Simulation::setState(std::size_t body, const BodyState& state) {
+  assert(!world_->bodies[body].fixed);
   disturb(body);
   restartGroup(body);
   state_.bodies[body] = state;

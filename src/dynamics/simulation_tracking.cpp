@@ -30,7 +30,13 @@ void Simulation::startCoarse() {
   coarse_->stopTracking();
   coarse_->most_turn_share_ = 2;  // so that its parts, too, are twice as long
   coarse_->steps_ = steps_ / 2;
-  coarse_->formGroups();
+  coarse_->formGroupsAnew();
+}
+
+/// The second run, to be changed: a copy's is another.
+Simulation& Simulation::ownCoarse() {
+  if (coarse_.use_count() > 1) coarse_ = std::make_shared<Simulation>(*coarse_);
+  return *coarse_;
 }
 
 void Simulation::trackBalance() {
@@ -58,9 +64,10 @@ void Simulation::stopTracking() {
 }
 
 void Simulation::followCoarse() {
+  if (std::isinf(error_.attitude)) return;
   if (!coarse_) return startCoarse();
   try {
-    while (2 * coarse_->steps_ < steps_) coarse_->step();
+    while (2 * coarse_->steps_ < steps_) ownCoarse().step();
   } catch (const SimulationDiverged&) {
     error_.attitude = error_.position = std::numeric_limits<double>::infinity();
     return;

@@ -5,8 +5,8 @@
 namespace rigid_body_sim {
 namespace {
 
-// Numbers from 1/kModest to kModest, over times up to kModestTime, stay finite in every product of a
-// solution: (L/I)² is the greatest of them, 1e240.
+// Numbers from 1/kModest to kModest, over times up to kModestTime, stay finite in every product of
+// a solution: (L/I)² is the greatest of them, 1e240.
 constexpr double kModest = 1e60;
 constexpr double kModestTime = 1e30;
 
@@ -28,8 +28,7 @@ bool isModest(const HeldWrench& wrench) {
     return isModest(p.point_W) && isModest(p.force_W);
   };
   return isModest(wrench.f_W) && isModest(wrench.tau_W) && isModest(wrench.f_P) &&
-         isModest(wrench.tau_P) &&
-         std::all_of(wrench.levers.begin(), wrench.levers.end(), lever) &&
+         isModest(wrench.tau_P) && std::all_of(wrench.levers.begin(), wrench.levers.end(), lever) &&
          std::all_of(wrench.pulls.begin(), wrench.pulls.end(), pull);
 }
 

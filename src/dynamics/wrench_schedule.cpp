@@ -22,14 +22,17 @@ void WrenchSchedule::put(const std::string& slot, PointWrench wrench, double now
   findNextEvent();
 }
 
-void WrenchSchedule::clear() {
+bool WrenchSchedule::clear() {
+  const bool any = size() > 0;
   active_.clear();
   active_slots_.clear();
   pending_.clear();
   findNextEvent();
+  return any;
 }
 
-void WrenchSchedule::clear(const std::string& slot) {
+bool WrenchSchedule::clear(const std::string& slot) {
+  const std::size_t before = size();
   for (std::size_t i = active_.size(); i-- > 0;) {
     if (active_slots_[i] != slot) continue;
     active_.erase(active_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -38,6 +41,13 @@ void WrenchSchedule::clear(const std::string& slot) {
   for (auto it = pending_.begin(); it != pending_.end();)
     it = it->second.slot == slot ? pending_.erase(it) : std::next(it);
   findNextEvent();
+  return size() < before;
+}
+
+bool WrenchSchedule::holds(const std::string& slot) const {
+  return std::find(active_slots_.begin(), active_slots_.end(), slot) != active_slots_.end() ||
+         std::any_of(pending_.begin(), pending_.end(),
+                     [&slot](const auto& entry) { return entry.second.slot == slot; });
 }
 
 bool WrenchSchedule::advanceTo(double t) {

@@ -17,13 +17,18 @@ class Group {
  public:
   /// Where the motion is to be solved, one body without laws or drag. The world must outlive the
   /// group and its copies.
-  Group(const World& world, const CoupledBodies& bodies, const MethodChoice& choice);
+  Group(const World& world, const CoupledBodies& bodies, unsigned needs,
+        const MethodChoice& choice);
+
+  /// What a method must accept to advance it (Need).
+  unsigned needs() const { return needs_; }
 
   const MethodChoice& choice() const { return choice_; }
   const std::vector<std::size_t>& members() const { return members_; }
 
-  /// [s] Up to, but without, this time nothing starts or ends, nothing is to be advanced and nothing
-  /// can fail: putForeseen() tells the state. Minus infinity where there is no solution yet.
+  /// [s] Up to, but without, this time nothing starts or ends, nothing is to be advanced and
+  /// nothing can fail: putForeseen() tells the state. Minus infinity where there is no solution
+  /// yet.
   double foreseenUntil(const std::vector<WrenchSchedule>& schedules) const;
 
   /// Writes the foreseen state at t < foreseenUntil() among those of all bodies.
@@ -79,6 +84,7 @@ class Group {
   void stepInParts(double h, Meter& meter);
 
   std::vector<std::size_t> members_;
+  unsigned needs_;
   MethodChoice choice_;
   System system_;
   Workspace workspace_;

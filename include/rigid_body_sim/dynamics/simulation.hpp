@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/balance.hpp>
@@ -49,18 +50,22 @@ class Simulation {
   double time() const { return state_.t; }
   std::int64_t steps() const { return steps_; }
 
-  /// One time step. Throws SimulationDiverged and keeps the last finite state.
+  /// One time step. Throws SimulationDiverged; then nothing has happened, to any body.
   void step();
 
-  /// The state at a time between now and the next step; the run goes on as if never asked.
+  /// The state at a time between now and the next step; the run goes on as if never asked. Throws
+  /// SimulationDiverged.
   State sample(double t) const;
 
-  /// Applies a wrench; see WrenchSchedule::put for slots. Throws std::invalid_argument, and leaves
-  /// all as it was, for one that the integrator does not accept, and for one more than may be.
+  /// Applies a wrench to a body that is not fixed; see WrenchSchedule::put for slots. Throws
+  /// std::invalid_argument, and leaves all as it was, for one that the integrator does not accept,
+  /// and for one more than may be.
   void applyWrench(const std::string& slot, const PointWrench& wrench);
 
-  /// Ends, now, every wrench, those of a body, or those of one slot of it.
+  /// Ends, now, every wrench, those of a slot of every body, those of a body, or of one slot of it.
+  /// Bodies on which nothing ends keep their bits.
   void clearWrenches();
+  void clearWrenches(const std::string& slot);
   void clearWrenches(std::size_t body);
   void clearWrenches(std::size_t body, const std::string& slot);
 
@@ -80,7 +85,7 @@ class Simulation {
   /// faster than its method follows in one; 1 when none was.
   int mostParts() const;
 
-  /// Evaluations of all wrenches by methods, summed over the groups there are now.
+  /// Evaluations of all wrenches by methods so far.
   std::int64_t evaluations() const;
 
   /// From now on a second simulation runs along at twice the step, for half the cost: by how much
@@ -110,7 +115,7 @@ class Simulation {
   /// How the bodies are advanced: those that act on one another together, each group in its way.
   const std::vector<Group>& groups() const { return groups_; }
 
-  /// Starts the balance anew.
+  /// Sets the state of a body that is not fixed. Starts the balance anew.
   void setState(std::size_t body, const BodyState& state);
 
   /// Back to the initial states, every wrench cleared, the balance started anew. Time runs on; or
@@ -122,24 +127,35 @@ class Simulation {
   static constexpr double kMostTrialSteps = 3e5;
   static constexpr double kFullTrials = 10;  // groups that may take so much; more of them share it
 
-  template <class Advance>
-  void stepBy(bool foreseen_too, const Advance& advance);
-  void requireFinite(const Group& group) const;
-  void acceptStep(double t_end);
+  template <class... Meter>
+  void stepBy(bool foreseen_too, Meter&... meter);
+  template <class... Meter>
+  void advance(Group& group, double t_end, std::vector<WrenchSchedule>& schedules,
+               Meter&... meter) const;
+  void begin(std::size_t group, double t_end);
+  void takeBack();
+  void accept(double t_end);
   void catchUp(std::size_t group) const;
   void trackedStep();
   void formGroups();
+  void formGroupsAnew();
+  void addToFormer(const Group& group);
   void restartGroup(std::size_t body);
+  void put(const std::string& slot, const PointWrench& wrench);
+  template <class Clear>
+  void clearBodies(std::size_t begin, std::size_t end, const Clear& clear);
   void disturb(std::size_t body);
-  MethodChoice chosen(const CoupledBodies& bodies, double most_trial_steps);
+  void markDisturbed(const Group& group);
+  MethodChoice chosen(const CoupledBodies& bodies, unsigned needs, double most_trial_steps);
   bool solvedToRounding(const Group& group) const;
   void startCoarse();
+  Simulation& ownCoarse();
   void followCoarse();
   void startBalance();
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const State> initial_;
-  const Method* method_;  // null: auto
+  const Method* method_;       // null: auto
   mutable State state_;        // its bodies may be behind its time
   mutable bool lags_ = false;  // whether some are
   std::int64_t steps_ = 0;
@@ -147,13 +163,18 @@ class Simulation {
   std::vector<Group> groups_;
   std::vector<double> foreseen_until_;  // Group's, index by index; infinite past: not known
   std::vector<std::size_t> advanced_;   // groups that a step advances; used inside it
+  std::vector<std::pair<std::size_t, WrenchSchedule>> consumed_;  // of bodies, as a step found them
+  int most_parts_ = 1;                                            // of groups that are no more
+  std::int64_t evaluations_ = 0;                                  // likewise
+  std::size_t at_most_ = 0;                                       // not less than wrenchCount()
   std::vector<std::size_t> group_of_;  // body -> index in groups_; of no account for a fixed body
   std::map<std::vector<std::size_t>, MethodChoice> choices_;  // of auto's trials, by members
   std::vector<bool> disturbed_;  // bodies that do not move as they did in a trial
   double most_turn_share_ = 1;   // MethodChoice's
   bool tracked_ = false;         // error or balance
   bool tracks_error_ = false;
-  std::shared_ptr<Simulation> coarse_;  // at twice the step; null until a step of even count
+  // at twice the step; null until a step of even count; changed only while no copy shares it
+  std::shared_ptr<Simulation> coarse_;
   ErrorEstimate error_;
   std::optional<Balance> balance_;  // where it is tracked
 };

@@ -16,8 +16,12 @@ class WrenchSchedule {
   /// now, at the same duration; a wrench without duration is dropped.
   void put(const std::string& slot, PointWrench wrench, double now);
 
-  void clear();
-  void clear(const std::string& slot);
+  /// Drops all, or what a slot holds. Returns whether there was anything.
+  bool clear();
+  bool clear(const std::string& slot);
+
+  /// Whether a wrench of the slot, which must have a name, acts or is to come.
+  bool holds(const std::string& slot) const;
 
   /// Wrenches that start at or before t join, those that end at or before t leave. Returns whether
   /// that changed what acts.
