@@ -120,6 +120,86 @@ TEST(Simulation, AdvancesIndependentBodiesApart) {
             both.run("strang", 1, 100).bodies[0].q_WP.coeffs());
 }
 
+// Nor that wrenches of others are cleared, those that turn with a third body included.
+TEST(Simulation, LeavesBodiesAloneThatAClearingDoesNotTouch) {
+  Bench bench = test::complexBox();
+  for (const char* name : {"other", "third"})
+    bench.add(test::principalBody(name, 1, {1, 2, 3}), test::tumbling({0, 0, 0}, {1, 2, 3}));
+  Simulation left_alone = bench.simulation("auto", 0.01), cleared = left_alone;
+  for (int i = 0; i < 100; ++i) {
+    PointWrench held = worldForce({0, 1, 0}, 0, 10), coupled = held;
+    held.body = held.point_frame = coupled.body = coupled.point_frame = 1;
+    coupled.axes = 2;
+    cleared.applyWrench("held", held);
+    cleared.step();
+    cleared.clearWrenches(i % 2 == 0 ? "held" : "none");
+    cleared.clearWrenches(2);
+    cleared.applyWrench("coupled", coupled);
+    cleared.step();
+    cleared.clearWrenches(1, "coupled");
+    left_alone.step();
+    left_alone.step();
+    const BodyState &a = left_alone.state().bodies[0], &b = cleared.state().bodies[0];
+    ASSERT_EQ(a.q_WP.coeffs(), b.q_WP.coeffs()) << i;
+    ASSERT_EQ(a.x_W, b.x_W) << i;
+  }
+  EXPECT_EQ(cleared.groups().size(), 3u);
+}
+
+// The first body's wrench begins within the step in which the second diverges.
+TEST(Simulation, GoesOnAfterAStepThatFailedAsIfItHadNeverBegun) {
+  for (const char* integrator : {"auto", "strang"}) {
+    Bench bench = restingBox();
+    bench.add(test::principalBody("other", 1, {1, 2, 3}), BodyFrameMotion());
+    bench.world.wrenches.push_back(worldForce({1, 0, 0}, 0.75, 2.5));
+    Simulation sim = bench.simulation(integrator, 1);
+    PointWrench twist;
+    twist.body = twist.point_frame = 1;
+    twist.torque = {0, 1e308, 1e308};
+    sim.applyWrench("twist", twist);
+    EXPECT_THROW(sim.step(), SimulationDiverged) << integrator;
+    EXPECT_EQ(sim.time(), 0);
+    sim.clearWrenches(1);
+    sim.step();
+    EXPECT_EQ(sim.state().bodies[0].p_W.x(), 0.25) << integrator;
+    EXPECT_EQ(sim.state().bodies[0].x_W.x(), 0.25 * 0.25 / 4) << integrator;
+  }
+}
+
+TEST(Simulation, DivergesBetweenStepsAsAtTheirEnd) {
+  for (const char* integrator : {"auto", "strang"}) {
+    Bench bench = restingBox();
+    PointWrench twist;
+    twist.torque = {0, 1e308, 1e308};
+    bench.world.wrenches.push_back(twist);
+    const Simulation sim = bench.simulation(integrator, 1);
+    try {
+      sim.sample(0.5);
+      FAIL() << integrator;
+    } catch (const SimulationDiverged& diverged) {
+      EXPECT_EQ(diverged.time, 0);
+      EXPECT_EQ(diverged.body, "box");
+    }
+  }
+}
+
+TEST(Simulation, TracksTheErrorOfACopyApart) {
+  const Bench bench = test::pushedBox(0, 0);
+  Simulation sim = bench.simulation("strang", 0.01);
+  sim.trackError();
+  for (int i = 0; i < 10; ++i) sim.step();
+  Simulation left_alone = sim, copy = sim;
+  for (int i = 0; i < 10; ++i) {
+    copy.applyWrench("", worldForce({1e3, 0, 0}, 0, 10));
+    copy.step();
+    left_alone.step();
+  }
+  for (int i = 0; i < 10; ++i) sim.step();
+  EXPECT_EQ(sim.errorEstimate().attitude, left_alone.errorEstimate().attitude);
+  EXPECT_EQ(sim.errorEstimate().position, left_alone.errorEstimate().position);
+  EXPECT_GT(copy.errorEstimate().position, sim.errorEstimate().position);
+}
+
 TEST(Simulation, HoldsAWrenchInTheAxesOfAnotherBody) {
   Bench bench = restingBox();
   bench.add(test::principalBody("turning", 1, {1, 1, 1}), test::tumbling({0, 0, 0}, {0, 0, 2}));
@@ -190,6 +270,16 @@ TEST(Simulation, RefusesOneWrenchMoreThanMayBeToCome) {
   EXPECT_EQ(sim.wrenchCount(), Simulation::kMostWrenches);
   sim.clearWrenches();
   EXPECT_NO_THROW(apply());
+}
+
+TEST(Simulation, TakesAWrenchInTheOthersPlaceWhenNoMoreMayBe) {
+  Bench bench = restingBox();
+  bench.world.wrenches.assign(Simulation::kMostWrenches - 1, worldForce({1, 0, 0}, 10, 11));
+  Simulation sim = bench.simulation("auto", 0.1);
+  for (int i = 0; i < 3; ++i) sim.applyWrench("held", worldForce({1, 0, 0}, 0, 1));
+  EXPECT_EQ(sim.wrenchCount(), Simulation::kMostWrenches);
+  EXPECT_THROW(sim.applyWrench("held", worldForce({1, 0, 0}, 0.5, 1)), std::invalid_argument);
+  EXPECT_THROW(sim.applyWrench("other", worldForce({1, 0, 0}, 0, 1)), std::invalid_argument);
 }
 
 TEST(Simulation, RefusesAnUnknownIntegratorAndListsTheKnown) {
