@@ -30,8 +30,7 @@ class Trial {
         needs_(needsOf(world, group, schedules)),
         start_(state),
         schedules_(schedules) {
-    const double h = world.solver.time_step;
-    const double wanted = std::max(1.0, std::ceil(world.solver.horizon / h));
+    const double wanted = wantedSteps();
     const double affordable = most_body_steps / static_cast<double>(group.members.size());
     const double parts = std::max(kParts, partsNeeded());
     steps_ = static_cast<int>(std::min(wanted, std::max(8.0, affordable / parts)));
@@ -42,6 +41,7 @@ class Trial {
 
   int mostParts() const { return most_parts_; }
   double endTime() const { return time(steps_); }
+  bool isCutShort() const { return steps_ < wantedSteps(); }
 
   /// Whether shorter steps gain nothing more: the errors, as shares of the tolerance, are those of
   /// steps short enough to be of the method's order, and fall no longer.
@@ -96,6 +96,10 @@ class Trial {
   }
 
  private:
+  double wantedSteps() const {
+    return std::max(1.0, std::ceil(world_.solver.horizon / world_.solver.time_step));
+  }
+
   /// Parts of a step that dop853 cannot do without at the start.
   double partsNeeded() const {
     Group group(world_, group_, needs_, {&methodNamed("dop853")});
@@ -135,17 +139,21 @@ std::optional<Truth> truthOf(const Trial& trial) {
   const Method& dop853 = methodNamed("dop853");
   std::optional<Track> last;
   int last_parts = 1;
+  double last_cost = 0;
   double last_error = std::numeric_limits<double>::infinity();
   for (int parts = 1; parts <= trial.mostParts(); parts *= 2) {
     std::optional<Run> run = trial.run(dop853, parts);
     if (run) parts = run->parts;
-    if (run && last) {
+    // a step that divides itself would only agree with itself
+    const bool shorter = run && run->cost > 1.9 * last_cost;
+    if (shorter && last) {
       const double error = trial.error(*last, run->track);
       if (error < 0.01 || (error < 1 && error >= last_error) || trial.isStuck(error, last_error))
         return Truth{std::move(run->track), parts, true};
       last_error = error;
     }
     last.reset();
+    if (run) last_cost = run->cost;
     if (run) last = std::move(run->track);
     last_parts = parts;
   }
@@ -167,13 +175,10 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
   const unsigned needs = needsOf(world, group, schedules);
   const Trial trial(world, group, state, schedules, most_body_steps);
   const std::optional<Truth> truth = truthOf(trial);
-  MethodChoice best{&methodNamed("dop853"), 1, std::numeric_limits<double>::infinity(), 1, false,
-                    trial.endTime()};
-  if (!truth) return best;
-  if (!truth->agrees) {
-    best.parts = truth->parts;
-    return best;
-  }
+  MethodChoice best = controlledChoice();
+  best.error = std::numeric_limits<double>::infinity();
+  best.holds = false;
+  if (!truth || !truth->agrees) return best;
   double best_cost = std::numeric_limits<double>::infinity();
   // from the highest order down: what holds a tight tolerance bounds the cost of the others early
   for (auto row = catalogue().rbegin(); row != catalogue().rend(); ++row) {
@@ -185,9 +190,9 @@ MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const 
       const double error = run ? trial.error(run->track, truth->track) : last_error;
       const bool holds = run && error <= kMargin;
       if (holds && run->cost >= best_cost) break;
-      if (holds || (!best.holds && error < best.error))
-        best = {&*row, parts, error, 1, holds, trial.endTime()};
       if (holds) best_cost = run->cost;
+      if (holds) best = {&*row, parts, error, 1, true, trial.endTime(), trial.isCutShort()};
+      best.error = std::min(error, best.error);
       // rounding has the better of the shorter step, or the row cannot get there
       if (holds || trial.isStuck(error, last_error)) break;
       last_error = error;

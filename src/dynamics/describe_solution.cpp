@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
@@ -6,6 +7,16 @@
 
 namespace rigid_body_sim {
 namespace {
+
+/// Whether what the scene applies leaves a body on a free flight, each wrench by itself.
+bool fliesFreely(const World& world, std::size_t body) {
+  return std::all_of(world.wrenches.begin(), world.wrenches.end(), [body](const PointWrench& w) {
+    if (w.body != body) return true;
+    HeldWrench held;
+    held.add(w);
+    return held.torqueFree();
+  });
+}
 
 bool hasWrenches(const World& world, std::size_t body) {
   return std::any_of(world.wrenches.begin(), world.wrenches.end(),
@@ -53,12 +64,15 @@ const char* kindOf(const Body& body) {
 /// "asymmetric, exact", "Taylor", "dop853, h <= 0.5 ms (2 parts a step)"
 std::string howSolved(const World& world, std::size_t body, const MethodChoice& choice) {
   if (!choice.method)
-    return hasWrenches(world, body) ? "Taylor"
-                                    : std::string(kindOf(world.bodies[body])) + ", exact";
+    return fliesFreely(world, body) ? std::string(kindOf(world.bodies[body])) + ", exact"
+                                    : "Taylor";
   std::ostringstream text;
   const double h = world.solver.time_step / choice.parts;
   text << choice.method->name << ", h <= " << (h < 1 ? 1e3 * h : h) << (h < 1 ? " ms" : " s");
   if (choice.parts > 1) text << " (" << choice.parts << " parts a step)";
+  if (choice.controlled) text << " by its own estimates";
+  if (choice.cut_short)
+    text << ", from " << choice.tried_until << " s on dop853 by its own estimates";
   return text.str();
 }
 
@@ -68,9 +82,11 @@ std::string shortfall(const World& world, const Group& group) {
   text << world.bodies[group.members().front()].name;
   if (group.members().size() > 1) text << " and " << group.members().size() - 1 << " with it";
   text << ": no method was found to hold tolerance " << world.solver.tolerance << " over "
-       << world.solver.horizon << " s at this time step; the best tried, "
-       << group.choice().method->name << ", had " << group.choice().error
-       << " times the error allowed";
+       << world.solver.horizon << " s at this time step; ";
+  if (std::isfinite(group.choice().error))
+    text << "the best tried had " << group.choice().error << " times the error allowed";
+  else
+    text << "no two runs agreed well enough to tell";
   return text.str();
 }
 

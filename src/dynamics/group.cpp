@@ -85,6 +85,7 @@ void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& 
   for (std::size_t k = 0; k < members_.size(); ++k) states_[k] = bodies[members_[k]];
 
   while (t < t_end) {
+    if (choice_.cut_short && t >= choice_.tried_until) distrustTrial();
     // up to the next event, or to the end
     double t_next = t_end;
     for (std::size_t body : members_) t_next = std::min(t_next, schedules[body].nextEvent());
@@ -173,6 +174,8 @@ double Group::fastestRate(double h) const {
   double fastest = law_rate_;
   for (std::size_t k = 0; k < states_.size(); ++k)
     fastest = std::max(fastest, angularVelocity(system_.bodies[k]->inv_I, states_[k].L_P).norm());
+  for (const auto& law : system_.laws)
+    fastest = std::max(fastest, law->rate({system_.bodies, states_}));
   return speeds_up_ ? std::max(fastest, rateBroughtAbout(h)) : fastest;
 }
 

@@ -30,6 +30,10 @@ TEST(DescribeSolution, NamesTheRotorOfAFreeBody) {
 TEST(DescribeSolution, SaysWhatActsAndHowItIsSolved) {
   EXPECT_EQ(describeSolution(test::pushedBox(kWorld, 0).simulation("auto", 0.01)),
             Lines{"box: gravity, wrenches, Taylor"});
+  Bench rocket = freeBody({1, 2, 3});
+  rocket.world.wrenches.emplace_back().force = {0, 0, 1};  // at the centre of mass
+  EXPECT_EQ(describeSolution(rocket.simulation("auto", 0.01)),
+            Lines{"wing_nut: wrenches, asymmetric, exact"});
   Bench bench = test::springPair(1);
   bench.world.bodies[1].drag.linear = 0.1;
   Body table = principalBody("table", 1, {1, 1, 1});

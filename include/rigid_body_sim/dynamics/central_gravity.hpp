@@ -26,6 +26,9 @@ class CentralGravity final : public ForceLaw {
   double externalPower(const Bodies& at) const override;
   bool isDamped() const override { return false; }
 
+  /// √(mu/r³), that of a circular orbit; with the gradient √3 times that, at which a rod swings.
+  double rate(const Bodies& at) const override;
+
  private:
   Vector3d radius(const BodyState& state) const;
   Vector3d gradientTorque(const Body& body, const BodyState& state) const;  // principal axes

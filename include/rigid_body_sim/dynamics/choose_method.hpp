@@ -17,6 +17,7 @@ struct MethodChoice {
   bool holds = true;           ///< whether any row was found to hold the tolerance
   /// [s] Up to when the motion was tried; for one that was not tried, nothing depends on it.
   double tried_until = std::numeric_limits<double>::infinity();
+  bool cut_short = false;   ///< whether that is before the world's horizon
   bool controlled = false;  ///< whether the method's own estimates part its steps to hold the
                             ///< tolerance
 };
@@ -26,11 +27,11 @@ struct MethodChoice {
 MethodChoice controlledChoice();
 
 /// The cheapest row and number of parts with which bodies that act on one another hold the world's
-/// tolerance over its horizon, found by trying them from the given states on, against dop853 at
-/// steps so short that it agrees with itself. The cost is counted, not timed, so that the same
-/// scene always chooses the same. most_body_steps: bounds the work of one run of the trial; one cut
-/// short in time must do better by the square of what it was cut, since attitude errors grow up to
-/// quadratically.
+/// tolerance over its horizon, or controlledChoice() where none was found to hold it; found by
+/// trying them from the given states on, against dop853 at steps so short that it agrees with
+/// itself. The cost is counted, not timed, so that the same scene always chooses the same.
+/// most_body_steps: bounds the work of one run of the trial; one cut short in time must do better
+/// by the square of what it was cut, since attitude errors grow up to quadratically.
 MethodChoice chooseMethod(const World& world, const CoupledBodies& group, const State& state,
                           const std::vector<WrenchSchedule>& schedules, double most_body_steps);
 

@@ -52,9 +52,12 @@ class ForceLaw {
   virtual bool isDamped() const = 0;
 
   /// Adds what the law brings about at any state, body by body, so that steps can be kept short
-  /// enough. A law whose rates depend on the state adds nothing.
+  /// enough.
   virtual void addStiffness(const std::vector<const Body*>& /*bodies*/,
                             std::vector<Stiffness>& /*stiffness*/) const {}
+
+  /// [1/s] How fast, beside that, what it brings about at a state changes.
+  virtual double rate(const Bodies& /*at*/) const { return 0; }
 
  protected:
   ForceLaw() = default;

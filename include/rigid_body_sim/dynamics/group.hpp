@@ -36,7 +36,8 @@ class Group {
 
   /// To be called when the motion is no longer the one on which the choice was tried, because a
   /// message, say, changes it: a choice that was tried gives way to controlledChoice(). A wrench of
-  /// the schedule that starts or ends after the trial's end does the same by itself.
+  /// the schedule that starts or ends after the trial's end does the same by itself, and so does
+  /// the end of a trial that was cut short.
   void distrustTrial();
 
   /// Takes what starts and ends at time t into account; to be called after every change of the

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
 
 namespace rigid_body_sim {
@@ -29,6 +31,11 @@ void CentralGravity::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches
 
 double CentralGravity::potentialEnergy(const Bodies& at) const {
   return -mu_ * at.bodies[body_]->mass / radius(at.states[body_]).norm();
+}
+
+double CentralGravity::rate(const Bodies& at) const {
+  const double r = radius(at.states[body_]).norm();
+  return std::sqrt((gradient_ ? 3 : 1) * mu_ / r) / r;
 }
 
 double CentralGravity::externalPower(const Bodies& at) const {
