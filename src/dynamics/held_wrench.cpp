@@ -59,13 +59,26 @@ void HeldWrench::add(const PointWrench& applied) {
   addTo(tau_W, tau_lost_W_, applied.torque);
   if (applied.force.isZero(0)) return;
   if (applied.point_frame == kWorld) {
-    if (!addAtSamePlace(applied.point, &Pull::point_W, applied.force, pulls))
-      pulls.push_back({applied.point, applied.force});
+    if (addAtSamePlace(applied.point, &Pull::point_W, applied.force, pulls)) return;
+    pulls.push_back({applied.point, applied.force});
+    if (pulls.size() > 3) mergePulls();
   } else if (!applied.point.isZero(0)) {
     if (addAtSamePlace(applied.point, &Lever::arm_P, applied.force, levers)) return;
     levers.push_back({applied.point, applied.force});
     if (levers.size() > 3) levers = mergedLevers(levers);
   }
+}
+
+/// Σ (pⱼ − x) × fⱼ = (p₀ − x) × Σ fⱼ + Σ (pⱼ − p₀) × fⱼ
+void HeldWrench::mergePulls() {
+  Pull& first = pulls.front();
+  for (std::size_t j = 1; j < pulls.size(); ++j) {
+    for (const Vector3d& force_W : {pulls[j].force_W, pulls[j].lost_W}) {
+      addTo(first.force_W, first.lost_W, force_W);
+      addTo(tau_W, tau_lost_W_, (pulls[j].point_W - first.point_W).cross(force_W));
+    }
+  }
+  pulls.resize(1);
 }
 
 Wrench HeldWrench::at(const BodyState& state) const {

@@ -83,6 +83,7 @@ TEST(HeldWrench, EqualsTheSumOfItsParts) {
       }
     }
     EXPECT_LE(held.levers.size(), 3u);
+    EXPECT_LE(held.pulls.size(), 3u);
     for (int i = 0; i < 10; ++i) {
       const std::vector<BodyState> bodies{randomState(rng)};
       Wrench sum;

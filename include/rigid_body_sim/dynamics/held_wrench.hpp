@@ -30,7 +30,7 @@ struct HeldWrench {
   Vector3d f_P = Vector3d::Zero();    ///< [N] forces fixed in the body
   Vector3d tau_P = Vector3d::Zero();  ///< [N m] couples and moments fixed in the body
   std::vector<Lever> levers;          ///< at most three: more are summed into one per world axis
-  std::vector<Pull> pulls;
+  std::vector<Pull> pulls;            ///< at most three: more are summed into one and a couple
 
   /// Whether the wrench is of this kind: axes and point each fixed in the world or in the body
   /// itself, but not body axes at a world point.
@@ -46,6 +46,8 @@ struct HeldWrench {
   bool torqueFree() const;
 
  private:
+  void mergePulls();
+
   // what the sums above are too coarse to hold
   Vector3d f_lost_W_ = Vector3d::Zero();
   Vector3d tau_lost_W_ = Vector3d::Zero();
