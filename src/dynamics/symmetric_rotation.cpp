@@ -4,7 +4,10 @@ namespace rigid_body_sim {
 
 template <class T>
 RotationState<T> SteadyRotation<T>::at(T dt) const {
-  return {product(start_.q_WP, rotationAbout<T>(axis_P_, rate_ * Wide<T>(dt))), start_.L_P};
+  RotationState<T> state{product(start_.q_WP, rotationAbout<T>(axis_P_, rate_ * Wide<T>(dt))),
+                         start_.L_P};
+  renormalize(state.q_WP);
+  return state;
 }
 
 template <class T>
@@ -24,7 +27,10 @@ template <class T>
 RotationState<T> SymmetricRotation<T>::at(T dt) const {
   const Quaternion<T> precession = rotationAbout<T>(direction_P_, precession_rate_ * Wide<T>(dt));
   const Quaternion<T> spin = rotationAbout<T>(Vector3<T>::Unit(k_), spin_rate_ * Wide<T>(dt));
-  return {product(start_.q_WP, product(precession, spin)), rotateBack(spin, start_.L_P)};
+  RotationState<T> state{product(start_.q_WP, product(precession, spin)),
+                         rotateBack(spin, start_.L_P)};
+  renormalize(state.q_WP);
+  return state;
 }
 
 template class SteadyRotation<double>;

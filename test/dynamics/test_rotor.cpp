@@ -63,6 +63,22 @@ TEST(SphericalRotation, MatchesTheReference) {
   EXPECT_LE(worst, 1e-15);
 }
 
+// A message that changes nothing but the force begins the rotation anew, time and again.
+TEST(FreeRotation, KeepsItsQuaternionUnit) {
+  for (const Vector3d& I : {Vector3d(2, 2, 2), Vector3d(1, 2, 2), Vector3d(1, 1, 1.5)}) {
+    const Rotor<double> rotor(I);
+    Quaterniond q_WP = Quaterniond(0.5, 0.5, -0.5, 0.5);
+    Vector3d L_P(1, 2, 3);
+    const Vector3d L_W = rotate(q_WP, L_P);
+    for (int i = 0; i < 100000; ++i) {
+      const RotationState<double> next = rotor.from(q_WP, L_P, L_W).at(0.001);
+      q_WP = next.q_WP;
+      L_P = next.L_P;
+    }
+    EXPECT_NEAR(q_WP.norm(), 1, 4e-16) << I.transpose();
+  }
+}
+
 /// Moments and momentum of few bits, so that D2 is zero exactly and the closed form of the
 /// separatrix is taken: m₁² I21/I1 = m₃² I32/I3 with m₃ = ±2 m₁.
 SpinningBody onSeparatrix(Random& random) {
