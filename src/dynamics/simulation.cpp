@@ -54,7 +54,7 @@ void Simulation::reset(bool restart_time) {
   schedules_.assign(world_->bodies.size(), WrenchSchedule());
   if (restart_time)
     for (const PointWrench& wrench : world_->wrenches)
-      schedules_[wrench.body].put("", wrench, state_.t);
+      schedules_[wrench.body].put("", onSteps(wrench), state_.t);
   at_most_ = wrenchCount();
   groups_.clear();
   most_parts_ = 1;
@@ -263,16 +263,31 @@ void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench)
   const Body& body = world_->bodies[wrench.body];
   assert(!body.fixed);
   if (at_most_ >= kMostWrenches) at_most_ = wrenchCount();
-  const bool replaces =
-      !slot.empty() && wrench.start <= state_.t && schedules_[wrench.body].holds(slot);
-  if (at_most_ >= kMostWrenches && !replaces)
+  if (at_most_ >= kMostWrenches && !replaces(slot, wrench))
     throw std::invalid_argument("at most " + std::to_string(kMostWrenches) +
                                 " wrenches may act or be to come");
   if (method_ && !HeldWrench::holds(wrench)) requireTaken(*method_, kCoupling, body.name);
-  put(slot, wrench);
+  const PointWrench on_steps = onSteps(wrench);
+  put(slot, on_steps);
   if (!coarse_) return;
   ownCoarse().choices_ = choices_;
-  coarse_->put(slot, wrench);
+  coarse_->put(slot, on_steps);
+}
+
+bool Simulation::replaces(const std::string& slot, const PointWrench& wrench) const {
+  return !slot.empty() && wrench.start <= state_.t && schedules_[wrench.body].holds(slot);
+}
+
+/// With a start or end that misses the end of a step by rounding moved there: 0.1 s + 0.2 s is 300
+/// steps of 1 ms, and not a step that is split 6e-17 s after its start.
+PointWrench Simulation::onSteps(PointWrench wrench) const {
+  const double h = world_->solver.time_step;
+  for (double* t : {&wrench.start, &wrench.end}) {
+    const double step = std::round(*t / h) * h;
+    if (std::abs(*t - step) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(step))
+      *t = step;
+  }
+  return wrench;
 }
 
 void Simulation::put(const std::string& slot, const PointWrench& wrench) {

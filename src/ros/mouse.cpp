@@ -11,6 +11,11 @@ Mouse::Mouse(const ros::NodeHandle& private_nh, const Scene& scene, const Simula
       topics_(private_nh, toHandles(scene, simulation.world()),
               [this](const HandleTopics::Feedback& feedback) { take(feedback); }) {}
 
+void Mouse::pull() {
+  const std::string fault = holds_.pull();
+  if (!fault.empty()) refusals_.add("mouse feedback", fault);
+}
+
 void Mouse::take(const HandleTopics::Feedback& feedback) {
   const std::string fault = holds_.take(feedback);
   if (!fault.empty()) refusals_.add("mouse feedback", fault);

@@ -17,7 +17,7 @@ class Mouse {
         Inputs& inputs, double wrench_timeout, Refusals& refusals);
 
   /// Applies the pulls for the step to come.
-  void pull() { holds_.pull(); }
+  void pull();
 
   /// The wrenches of a body have been cleared, empty: of all bodies.
   void letGo(const std::string& body) { holds_.letGo(body); }

@@ -1,8 +1,11 @@
 #include "mouse_holds.hpp"
 
+#include <iterator>
 #include <limits>
+#include <stdexcept>
 
 #include <rigid_body_sim/math/isometry.hpp>
+#include <rigid_body_sim/scene/message_text.hpp>
 
 #include "input_messages.hpp"
 
@@ -29,10 +32,10 @@ MouseHolds::MouseHolds(const Simulation& simulation, Inputs& inputs, double wren
 std::string MouseHolds::take(const Feedback& feedback) {
   const std::string& name = feedback.marker_name;
   const auto found = moving_bodies_.find(name);
-  if (found == moving_bodies_.end()) return "unknown handle '" + name + "'";
+  if (found == moving_bodies_.end()) return "unknown handle '" + printable(name) + "'";
   if (feedback.header.frame_id != name)
     return "feedback on handle '" + name + "' must be in frame '" + name + "', got '" +
-           feedback.header.frame_id + "'";
+           printable(feedback.header.frame_id) + "'";
 
   const std::size_t body = found->second;
   if (feedback.event_type == Feedback::MOUSE_DOWN) return press(body, feedback);
@@ -76,18 +79,31 @@ std::string MouseHolds::drag(Hold& hold, const Feedback& feedback) {
   return "";
 }
 
-void MouseHolds::pull() {
-  const double t = simulation_.time();
-  for (auto& [body, hold] : holds_) {
-    note(hold);
-    if (t >= hold.until) continue;
-    PointWrench pull =
-        pullOf(hold.spring, simulation_.world().bodies[body], simulation_.state().bodies[body],
-               simulation_.world().solver.time_step);
-    pull.start = t;
-    pull.end = hold.until;
-    inputs_.apply(wrenchInput(kSlot, pull, simulation_.world()));
+std::string MouseHolds::pull() {
+  std::string fault;
+  for (auto it = holds_.begin(); it != holds_.end();) {
+    const std::string refused = pull(it->second);
+    it = refused.empty() ? std::next(it) : holds_.erase(it);
+    if (!refused.empty()) fault = refused;
   }
+  return fault;
+}
+
+std::string MouseHolds::pull(Hold& hold) {
+  const std::size_t body = hold.spring.body;
+  const World& world = simulation_.world();
+  note(hold);
+  if (simulation_.time() >= hold.until) return "";
+  PointWrench pull = pullOf(hold.spring, world.bodies[body], simulation_.state().bodies[body],
+                            world.solver.time_step);
+  pull.start = simulation_.time();
+  pull.end = hold.until;
+  try {
+    inputs_.apply(wrenchInput(kSlot, pull, world));
+  } catch (const std::invalid_argument& error) {
+    return "body '" + world.bodies[body].name + "' is let go: " + error.what();
+  }
+  return "";
 }
 
 void MouseHolds::letGo(const std::string& body) {

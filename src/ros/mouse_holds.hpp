@@ -27,7 +27,8 @@ class MouseHolds {
   std::string take(const visualization_msgs::InteractiveMarkerFeedback& feedback);
 
   /// Applies, for the step to come, the pull on every body that is held, each in a slot of its own.
-  void pull();
+  /// Returns the fault of a pull that the simulation refuses; its body is let go.
+  std::string pull();
 
   /// Forgets that a body is held, empty: any body; its wrenches are left to the caller. A handle
   /// that is still being dragged does nothing until it is pressed again.
@@ -45,6 +46,7 @@ class MouseHolds {
 
   std::string press(std::size_t body, const Feedback& feedback);
   std::string drag(Hold& hold, const Feedback& feedback);
+  std::string pull(Hold& hold);
   void release(std::size_t body);
   void note(Hold& hold) const;
 

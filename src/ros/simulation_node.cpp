@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t kQueueSize = 100;
 
-/// On a body, acting or to come: a sender without end must not fill the memory, nor the time.
+/// On a body, acting or to come, beside those of the scene: a sender without end must not fill the
+/// memory, nor the time.
 constexpr std::size_t kMostWrenches = 1000;
 
 /// Given to roscpp [s] to write the last diagnostics: a shutdown drops what is not written yet.
@@ -33,6 +34,13 @@ Simulation makeSimulation(const Scene& scene) {
   World world = buildWorld(scene);
   State initial = initialState(scene, world);
   return Simulation(std::move(world), std::move(initial));
+}
+
+/// How many the scene schedules, body by body.
+std::vector<std::size_t> wrenchesOfScene(const World& world) {
+  std::vector<std::size_t> counts(world.bodies.size());
+  for (const PointWrench& wrench : world.wrenches) ++counts[wrench.body];
+  return counts;
 }
 
 ros::NodeHandle onQueue(const std::string& name_space, ros::CallbackQueue& queue) {
@@ -66,6 +74,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       simulation_(makeSimulation(scene)),
       frames_(scene, simulation_.world().bodies),
       rules_{scene.world_frame, options.wrench_timeout},
+      wrenches_of_scene_(wrenchesOfScene(simulation_.world())),
       paused_(options.start_paused),
       nh_(onQueue("", queue_)),
       private_nh_(onQueue("~", queue_)),
@@ -186,7 +195,9 @@ std::string SimulationNode::tryToTake(const WrenchRequest& request) {
   const ResolvedWrench resolved =
       takeWrench(request, simulation_.world().bodies, frames_, rules_, simulation_.time());
   if (!resolved.fault.empty()) return resolved.fault;
-  if (simulation_.wrenchCount(resolved.wrench.body) >= kMostWrenches)
+  const std::size_t body = resolved.wrench.body;
+  if (simulation_.wrenchCount(body) >= kMostWrenches + wrenches_of_scene_[body] &&
+      !simulation_.replaces(request.slot, resolved.wrench))
     return "body '" + request.wrench.body + "' must have less than " +
            std::to_string(kMostWrenches) + " wrenches that act or are to come";
   try {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
@@ -61,6 +62,7 @@ class SimulationNode {
   FrameTable frames_;
   StaticFrames static_frames_;
   IntakeRules rules_;
+  std::vector<std::size_t> wrenches_of_scene_;  // by body
   Refusals refusals_;
   bool paused_;
   bool tracked_ = false;    // balance and errors

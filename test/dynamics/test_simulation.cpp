@@ -218,6 +218,17 @@ TEST(Simulation, HoldsAWrenchInTheAxesOfAnotherBody) {
   EXPECT_EQ(sim.wrenchCount(), 0u);
 }
 
+// 0.1 + 0.2 is more than 300 times 0.001, in doubles.
+TEST(Simulation, EndsAWrenchWithTheStepThatItsEndMissesByRounding) {
+  Simulation sim = restingBox().simulation("auto", 0.001);
+  sim.applyWrench("", worldForce({1, 0, 0}, 0.1, 0.1 + 0.2));
+  while (sim.steps() < 299) sim.step();
+  EXPECT_EQ(sim.activeWrenches(0).size(), 1u);
+  sim.step();
+  EXPECT_TRUE(sim.activeWrenches(0).empty());
+  EXPECT_EQ(sim.state().bodies[0].p_W.x(), 0.3 - 0.1);
+}
+
 // A new random wrench every 10 ms, no multiple of the step: solved to rounding. 1e-12 rad is what
 // the reference and the growth of rounding by the motion leave.
 TEST(Simulation, FollowsAThousandWrenchChangesToRounding) {

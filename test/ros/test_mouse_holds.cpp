@@ -197,6 +197,16 @@ TEST_F(MouseHoldsTest, RefuseWhatBreaksARuleAndKeepWhatWas) {
   expectPullTo(goal_W);
 }
 
+TEST_F(MouseHoldsTest, LetGoABodyWhosePullTheSimulationRefuses) {
+  PointWrench later;
+  later.start = 1e3;
+  later.end = 2e3;
+  for (std::size_t i = 0; i < Simulation::kMostWrenches; ++i) simulation.applyWrench("", later);
+  EXPECT_EQ(holds.take(feedback(Feedback::MOUSE_DOWN)), "");
+  EXPECT_EQ(holds.pull(), "body 'box' is let go: at most 100000 wrenches may act or be to come");
+  EXPECT_EQ(holds.pull(), "");
+}
+
 TEST(PoseHistory, GivesThePoseAtOrBeforeAStampOfTheLastTenSeconds) {
   PoseHistory history;
   const auto pose = [](double x) { return Isometry3d(Eigen::Translation3d(x, 0, 0)); };

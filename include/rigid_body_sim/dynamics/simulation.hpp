@@ -62,6 +62,9 @@ class Simulation {
   /// and for one more than may be.
   void applyWrench(const std::string& slot, const PointWrench& wrench);
 
+  /// Whether the wrench would take the place of another, at once, so that there is not one more.
+  bool replaces(const std::string& slot, const PointWrench& wrench) const;
+
   /// Ends, now, every wrench, those of a slot of every body, those of a body, or of one slot of it.
   /// Bodies on which nothing ends keep their bits.
   void clearWrenches();
@@ -141,6 +144,7 @@ class Simulation {
   void formGroupsAnew();
   void addToFormer(const Group& group);
   void restartGroup(std::size_t body);
+  PointWrench onSteps(PointWrench wrench) const;
   void put(const std::string& slot, const PointWrench& wrench);
   template <class Clear>
   void clearBodies(std::size_t begin, std::size_t end, const Clear& clear);
