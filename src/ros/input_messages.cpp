@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include <rigid_body_sim/scene/message_text.hpp>
+
 #include "body_index.hpp"
 #include "conversions.hpp"
 #include "state_requests.hpp"
@@ -15,7 +17,8 @@ std::string nameOf(std::size_t body, const World& world) {
 
 std::size_t bodyNamed(const std::string& name, const World& world) {
   const std::size_t i = indexOf(name, world.bodies);
-  if (i == world.bodies.size()) throw std::invalid_argument("unknown body '" + name + "'");
+  if (i == world.bodies.size())
+    throw std::invalid_argument("unknown body '" + printable(name) + "'");
   return i;
 }
 
@@ -37,7 +40,6 @@ PointWrench wrenchOf(const Input& input, const World& world) {
 }
 
 void clear(const Input& input, Simulation& simulation) {
-  const std::vector<Body>& bodies = simulation.world().bodies;
   if (!input.body.empty()) {
     const std::size_t body = bodyNamed(input.body, simulation.world());
     if (input.slot.empty())
@@ -47,7 +49,7 @@ void clear(const Input& input, Simulation& simulation) {
   } else if (input.slot.empty()) {
     simulation.clearWrenches();
   } else {
-    for (std::size_t i = 0; i < bodies.size(); ++i) simulation.clearWrenches(i, input.slot);
+    simulation.clearWrenches(input.slot);
   }
 }
 

@@ -6,10 +6,13 @@
 #include <limits>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include <ros/names.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
+
+#include <rigid_body_sim/scene/message_text.hpp>
 
 namespace rigid_body_sim {
 namespace {
@@ -22,7 +25,7 @@ std::string quoted(XmlRpcValue value) {
     text << std::boolalpha << static_cast<bool&>(value);
   else
     value.write(text);
-  return "'" + text.str() + "'";
+  return "'" + printable(text.str()) + "'";
 }
 
 [[noreturn]] void refuse(const std::string& name, const XmlRpcValue& value,
@@ -34,6 +37,13 @@ std::string readText(const std::string& name, XmlRpcValue value) {
   if (value.getType() != XmlRpcValue::TypeString || static_cast<std::string&>(value).empty())
     refuse(name, value, "a string that is not empty");
   return static_cast<std::string&>(value);
+}
+
+std::string readPath(const std::string& name, XmlRpcValue value) {
+  if (value.getType() == XmlRpcValue::TypeString &&
+      static_cast<std::string&>(value).find('\n') != std::string::npos)
+    refuse(name, value, "a path; the text of a scene goes to ~scene");
+  return readText(name, std::move(value));
 }
 
 bool readBool(const std::string& name, XmlRpcValue value) {
@@ -84,7 +94,7 @@ const std::map<std::string, Reader>& readers() {
       {"real_time_factor", into(&NodeOptions::real_time_factor, readNotNegative)},
       {"reset_time", into(&NodeOptions::reset_time, readBool)},
       {"scene", into(&NodeOptions::scene_text, readText)},
-      {"scene_file", into(&NodeOptions::scene_file, readText)},
+      {"scene_file", into(&NodeOptions::scene_file, readPath)},
       {"start_paused", into(&NodeOptions::start_paused, readBool)},
       {"start_time", into(&NodeOptions::start_time, readTime)},
       {"wrench_timeout", into(&NodeOptions::wrench_timeout, readNotNegative)},
@@ -107,7 +117,7 @@ NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
     for (const auto& [name, value] : copy) {
       const auto reader = readers().find(name);
       if (reader == readers().end())
-        throw ParameterError("parameter ~" + name + ": unknown, got " + quoted(value) +
+        throw ParameterError("parameter ~" + printable(name) + ": unknown, got " + quoted(value) +
                              "; known: " + knownNames());
       reader->second(name, value, options);
     }

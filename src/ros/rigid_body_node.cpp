@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include <rigid_body_sim/scene/load_scene.hpp>
+#include <rigid_body_sim/scene/message_text.hpp>
 
 #include "simulation_node.hpp"
 #include "tools/package_directory.hpp"
@@ -32,7 +33,7 @@ Simulates a scene in ROS time: takes wrenches from topics and services, publishe
   --help                   this text
 
 Needs a ROS master. Topics and services: README.md of the package.
-Exit status: 0 shut down, 1 the input is at fault, 3 the simulation diverged.
+Exit status: 0 shut down, 1 the input is at fault, 2 wrong usage, 3 the simulation diverged.
 )";
 
 // roscpp turns only SIGINT into a shutdown
@@ -53,6 +54,11 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, onSignal);
   const ros::NodeHandle keeps_ros_started;  // and its log, beyond the node itself
   if (!ros::ok()) return kDone;
+  if (argc > 1) {  // roscpp has taken what is for it
+    std::fprintf(stderr, "rigid_body_node: unknown argument '%s'; a scene is given as %s\n",
+                 printable(argv[1]).c_str(), "_scene_file:=FILE (rigid_body_node --help)");
+    return kWrongUsage;
+  }
   try {
     const NodeOptions options = loadNodeOptions();
     const Scene scene = readScene(options);

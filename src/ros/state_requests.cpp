@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include <rigid_body_sim/math/rotation.hpp>
+#include <rigid_body_sim/scene/message_text.hpp>
 
 #include "body_index.hpp"
 #include "conversions.hpp"
@@ -13,9 +14,10 @@ namespace {
 /// Fault of the body, and of the axes of its twist.
 std::string namesFault(const std::string& body, const std::string& frame, const World& world,
                        const std::string& world_frame) {
-  if (indexOf(body, world.bodies) == world.bodies.size()) return "unknown body '" + body + "'";
+  if (indexOf(body, world.bodies) == world.bodies.size())
+    return "unknown body '" + printable(body) + "'";
   if (frame == world_frame || frame == body) return "";
-  return "frame must be '" + world_frame + "' or '" + body + "', got '" + frame + "'";
+  return "frame must be '" + world_frame + "' or '" + body + "', got '" + printable(frame) + "'";
 }
 
 std::string finiteFault(const char* name, const Vector3d& v) {

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include <rigid_body_sim/dynamics/body.hpp>
-
-#include "message_text.hpp"
+#include <rigid_body_sim/scene/message_text.hpp>
 
 namespace rigid_body_sim {
 

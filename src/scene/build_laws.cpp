@@ -5,10 +5,10 @@
 
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
 #include <rigid_body_sim/dynamics/spring.hpp>
+#include <rigid_body_sim/scene/message_text.hpp>
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 #include "body_names.hpp"
-#include "message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -3,8 +3,7 @@
 
 #include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/check_scene.hpp>
-
-#include "message_text.hpp"
+#include <rigid_body_sim/scene/message_text.hpp>
 
 namespace rigid_body_sim {
 namespace {

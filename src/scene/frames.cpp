@@ -1,7 +1,6 @@
 #include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
-
-#include "message_text.hpp"
+#include <rigid_body_sim/scene/message_text.hpp>
 
 namespace rigid_body_sim {
 FrameTable::FrameTable(const Scene& scene, const std::vector<Body>& bodies) {

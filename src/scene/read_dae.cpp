@@ -9,8 +9,9 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <rigid_body_sim/scene/message_text.hpp>
+
 #include "mesh_room.hpp"
-#include "message_text.hpp"
 #include "xml_fault.hpp"
 
 namespace rigid_body_sim {

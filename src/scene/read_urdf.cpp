@@ -6,10 +6,10 @@
 
 #include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/limits.hpp>
+#include <rigid_body_sim/scene/message_text.hpp>
 #include <rigid_body_sim/scene/read_urdf.hpp>
 
 #include "file_reference.hpp"
-#include "message_text.hpp"
 #include "read_file.hpp"
 #include "xml_fault.hpp"
 

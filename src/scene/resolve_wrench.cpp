@@ -2,10 +2,10 @@
 #include <cmath>
 #include <sstream>
 
+#include <rigid_body_sim/scene/message_text.hpp>
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
 
 #include "body_names.hpp"
-#include "message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {

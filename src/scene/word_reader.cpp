@@ -6,7 +6,7 @@
 #include <locale.h>
 #include <stdlib.h>
 
-#include "message_text.hpp"
+#include <rigid_body_sim/scene/message_text.hpp>
 
 namespace rigid_body_sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "message_text.hpp"
+#include <rigid_body_sim/scene/message_text.hpp>
 
 namespace rigid_body_sim {
 

@@ -89,6 +89,9 @@ TEST(NodeOptions, RefuseAWrongType) {
             "parameter ~start_paused: must be true or false, got '1'");
   EXPECT_EQ(refusalOf("scene_file", 3),
             "parameter ~scene_file: must be a string that is not empty, got '3'");
+  EXPECT_EQ(refusalOf("scene_file", "time_step: 0.1\nbodies:"),
+            "parameter ~scene_file: must be a path; the text of a scene goes to ~scene, got "
+            "'time_step: 0.1?bodies:'");
   EXPECT_EQ(refusalOf("real_time_factor", true),
             "parameter ~real_time_factor: must be a finite number >= 0, got 'true'");
 }

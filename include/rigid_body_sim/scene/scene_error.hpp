@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <rigid_body_sim/scene/message_text.hpp>
+
 namespace rigid_body_sim {
 
 /// A scene that cannot be simulated as it is written. what() is one line: file, line, place, key,
@@ -10,7 +12,7 @@ namespace rigid_body_sim {
 ///   scenes/top.yaml:12: body 'top': mass must be > 0 kg, got -1
 class SceneError : public std::runtime_error {
  public:
-  explicit SceneError(const std::string& message) : std::runtime_error(message) {}
+  explicit SceneError(const std::string& message) : std::runtime_error(oneLine(message)) {}
 
   /// line 0: none to name.
   SceneError(const std::string& source, int line, const std::string& message)

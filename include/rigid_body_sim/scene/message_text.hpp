@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <rigid_body_sim/math/types.hpp>
+
+namespace rigid_body_sim {
+
+/// Text from outside with every control character, line ends included, as ?.
+std::string oneLine(std::string text);
+
+/// Text from outside, fit for a message of one line: control characters become ?, and what is
+/// longer than 60 bytes is cut.
+std::string printable(const std::string& text);
+
+/// "[1, 2, 3]"
+std::string listed(const Vector3d& v);
+
+/// "a, b, c"; cut short after the first ten.
+std::string nameList(const std::vector<std::string>& names);
+
+}  // namespace rigid_body_sim
