@@ -17,6 +17,7 @@ bool ClockFollower::takeSetBack() { return std::exchange(set_back_, false); }
 
 void ClockFollower::hear(const rosgraph_msgs::Clock& message) {
   if (message.clock < now_) set_back_ = true;
+  before_ = set_back_ ? ros::Time() : now_;
   heard_ = true;
   now_ = message.clock;
 }

@@ -15,6 +15,9 @@ class ClockFollower {
   /// What the clock shows; zero until it is heard.
   const ros::Time& now() const { return now_; }
 
+  /// What it showed before; zero until it has been heard twice, and again.
+  const ros::Time& before() const { return before_; }
+
   /// Whether the clock has gone back since this was asked last.
   bool takeSetBack();
 
@@ -24,6 +27,7 @@ class ClockFollower {
   bool heard_ = false;
   bool set_back_ = false;
   ros::Time now_;
+  ros::Time before_;
   ros::Subscriber subscriber_;
 };
 

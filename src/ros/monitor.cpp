@@ -32,14 +32,14 @@ void Monitor::report(const Simulation& simulation, const RunFigures& figures,
   const std::chrono::duration<double> elapsed = now - last_report_;
   const double advanced = simulation.time() - last_t_;
   restart(simulation.time(), now);
+  health_.new_overruns = figures.overruns - last_overruns_;
+  last_overruns_ = figures.overruns;
   if (!isHeard()) return;
 
   health_.status = toSimStatus(simulation, figures);
   health_.status.header.frame_id = world_frame_;
   health_.status.header.stamp = origin_.stamp(simulation.time());
   if (elapsed.count() > 0) health_.status.real_time_factor = advanced / elapsed.count();
-  health_.new_overruns = health_.status.overruns - last_overruns_;
-  last_overruns_ = health_.status.overruns;
   health_.holds_tolerance = holdsTolerance(simulation);
   health_.divergence = figures.divergence;
   status_.publish(health_.status);

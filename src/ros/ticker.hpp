@@ -17,7 +17,7 @@ class Ticker {
  private:
   double eventsUntil(double t) const {
     // a step that misses its instant by rounding has reached it
-    return std::floor(t * rate_ + 1e-6);
+    return std::floor((t + 1e-3 * time_step_) * rate_);
   }
 
   double rate_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 
 #include <ros/console.h>
 #include <ros/init.h>
@@ -30,7 +31,8 @@ void Timekeeper::waitForClock(ros::CallbackQueue& queue) const {
   constexpr std::chrono::seconds kSilence(1);
   const Pacer::Clock::time_point begin = Pacer::Clock::now();
   bool told = false;
-  while (ros::ok() && !clock_->isHeard()) {
+  while (!clock_->isHeard()) {
+    if (!ros::ok()) throw std::runtime_error("shut down before /clock was heard");
     queue.callAvailable(ros::WallDuration(kLongestWait));
     if (told || Pacer::Clock::now() - begin < kSilence) continue;
     told = true;
@@ -49,7 +51,10 @@ double Timekeeper::untilDue(double t) const {
 
 bool Timekeeper::isAhead(double t) const { return clock_ && origin_.stamp(t) > clock_->now(); }
 
-void Timekeeper::begin(double t, double h) { pacer_.begin(t, h, Pacer::Clock::now()); }
+void Timekeeper::begin(double t, double h) {
+  if (!clock_) return pacer_.begin(t, h, Pacer::Clock::now());
+  if (origin_.stamp(t) <= clock_->before()) ++left_behind_;
+}
 
 bool Timekeeper::takeSetBack() {
   if (!clock_ || !clock_->takeSetBack()) return false;

@@ -17,9 +17,9 @@ namespace rigid_body_sim {
 /// clock is never passed; a step that it has left behind is taken at once, and none is dropped.
 class Timekeeper {
  public:
-  /// Waits for a clock that is followed from where it is first heard, or for ROS to shut down, and
-  /// says so after a second: before, there is no stamp to give and no start to count from. The
-  /// queue, which outlives this, is that of the handle.
+  /// Waits for a clock that is followed from where it is first heard, and says so after a second:
+  /// before, there is no stamp to give and no start to count from. The queue, which outlives this,
+  /// is that of the handle. Throws std::runtime_error when ROS shuts down while it waits.
   Timekeeper(const NodeOptions& options, const ros::NodeHandle& nh, ros::CallbackQueue& queue);
 
   const TimeOrigin& origin() const { return origin_; }
@@ -34,14 +34,15 @@ class Timekeeper {
   /// Whether t [s] lies ahead of a clock that is followed.
   bool isAhead(double t) const;
 
-  /// The step from t − h to t begins now.
+  /// The step from t − h to t begins now. Late is one that begins later than by its own length, or,
+  /// with a clock that is followed, after the clock has been heard again since it was due.
   void begin(double t, double h);
 
   /// Whether a clock that is followed has been set back since this was asked last, and simulation
   /// time with it: to its start, which lies where the clock is now unless start_time says where.
   bool takeSetBack();
 
-  std::int64_t overruns() const { return pacer_.overruns(); }
+  std::int64_t overruns() const { return pacer_.overruns() + left_behind_; }
 
   /// Longest wait for a callback [s]: how soon a shutdown is seen.
   static constexpr double kLongestWait = 0.05;
@@ -54,6 +55,7 @@ class Timekeeper {
   Pacer pacer_;
   std::unique_ptr<ClockFollower> clock_;  // null unless it is another's
   TimeOrigin origin_;
+  std::int64_t left_behind_ = 0;  // steps, by a clock that is followed
 };
 
 }  // namespace rigid_body_sim

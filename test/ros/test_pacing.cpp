@@ -70,6 +70,7 @@ TEST(Ticker, FallsOnTheSameStepsWhicheverWereAsked) {
   EXPECT_FALSE(ticker.due(0.009));
   EXPECT_TRUE(ticker.due(0.010));
   EXPECT_TRUE(ticker.due(0));
+  EXPECT_TRUE(Ticker(1e-6, 0.001).due(0));
 }
 
 TEST(Ticker, FallsOnEveryStepThatIsLongerThanItsPeriod) {
