@@ -69,8 +69,14 @@ World buildWorld(const Scene& scene) {
 State initialState(const Scene& scene, const World& world) {
   assert(scene.bodies.size() == world.bodies.size());
   State state;
-  for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    state.bodies.push_back(toBodyState(world.bodies[i], motionOf(scene.bodies[i])));
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const BodyDef& def = scene.bodies[i];
+    state.bodies.push_back(toBodyState(world.bodies[i], motionOf(def)));
+    const BodyState& s = state.bodies.back();
+    if (!(s.x_W.allFinite() && s.p_W.allFinite() && s.L_W.allFinite() && s.L_P.allFinite()))
+      throw SceneError(scene.source, def.line,
+                       "body '" + def.name + "': its position and momenta must be finite");
+  }
   return state;
 }
 

@@ -76,6 +76,7 @@ void readMapping(const Entry& mapping, const std::vector<Key<Def>>& keys, Def& d
 
 bool readBoolean(const Entry& value);
 std::string readText(const Entry& value);
+std::string readTextOrNone(const Entry& value);  ///< may be empty
 
 /// A name of a body or point: [A-Za-z][A-Za-z0-9_]*, at most kMostNameBytes long
 std::string readName(const Entry& value);

@@ -15,6 +15,14 @@ void joinLines(std::string& text) {
   }
 }
 
+void blankComments(std::string& text) {
+  bool comment = false;
+  for (char& c : text) {
+    comment = c != '\n' && (comment || c == '#');
+    if (comment) c = ' ';
+  }
+}
+
 /// x y z, or x y z w, or with a colour x y z r g b.
 Vector3d readVertex(WordReader& line) {
   Vector3d v;
@@ -57,6 +65,8 @@ void readFace(WordReader& line, TriangleMesh& mesh) {
 }  // namespace
 
 TriangleMesh readObj(std::string text) {
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0) text.erase(0, 3);  // byte order mark
+  blankComments(text);
   joinLines(text);
   TriangleMesh mesh;
   WordReader line(text);

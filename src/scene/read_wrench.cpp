@@ -6,7 +6,7 @@ WrenchDef readWrench(const Entry& list_item) {
   const std::vector<Key<WrenchDef>> keys = {
       {"body", [](const Entry& e, WrenchDef& w) { w.body = readText(e); }, true},
       {"point", [](const Entry& e, WrenchDef& w) { w.point = readVector3(e, "m"); }},
-      {"point_frame", [](const Entry& e, WrenchDef& w) { w.point_frame = readText(e); }},
+      {"point_frame", [](const Entry& e, WrenchDef& w) { w.point_frame = readTextOrNone(e); }},
       {"frame", [](const Entry& e, WrenchDef& w) { w.frame = readText(e); }, true},
       {"force", [](const Entry& e, WrenchDef& w) { w.force = readVector3(e, "N"); }},
       {"torque", [](const Entry& e, WrenchDef& w) { w.torque = readVector3(e, "N m"); }},

@@ -78,6 +78,12 @@ std::string readText(const Entry& value) {
   return value.node().text;
 }
 
+std::string readTextOrNone(const Entry& value) {
+  const YamlNode& node = value.node();
+  const bool none = node.kind == YamlNode::Kind::kScalar && node.text.empty();
+  return none ? std::string() : readText(value);
+}
+
 bool isName(const std::string& text) {
   if (text.empty() || text.size() > kMostNameBytes || !isLetter(text[0])) return false;
   for (const char c : text) {

@@ -143,6 +143,30 @@ TEST(BuildWorld, KeepsAFixedBodyFixed) {
   EXPECT_TRUE(world.bodies[0].fixed);
 }
 
+// As in AppliedWrench.msg.
+TEST(BuildWorld, TakesAnEmptyPointFrameAsTheBody) {
+  const Scene scene = parseScene(
+      "time_step: 0.01\n"
+      "bodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]\n"
+      "wrenches: [{body: a, frame: world, point_frame: '', point: [1, 2, 3], duration: 1}]\n",
+      "s");
+  const PointWrench wrench = buildWorld(scene).wrenches[0];
+  EXPECT_EQ(wrench.point_frame, 0u);
+  EXPECT_EQ(wrench.point, Vector3d(1, 2, 3));
+}
+
+TEST(BuildWorld, RefusesAMotionWhoseMomentaAreNotFinite) {
+  const Scene scene = sceneOf(
+      "    shape: {box: [1, 2, 3]}\n    mass: 1\n"
+      "    twist: {frame: body, angular: [1e308, 1e308, 1e308]}\n");
+  try {
+    initialState(scene, buildWorld(scene));
+    FAIL() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_STREQ(error.what(), "test.yaml:3: body 'box': its position and momenta must be finite");
+  }
+}
+
 TEST(BuildWorld, HoldsAWrenchOfInfiniteDurationForEver) {
   const Scene scene = parseScene(
       "time_step: 0.01\n"

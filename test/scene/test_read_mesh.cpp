@@ -96,6 +96,10 @@ TEST_F(ReadMesh, ReadsABinaryStlThatCallsItselfSolid) {
 TEST_F(ReadMesh, ReadsObjWithTrianglesAndPolygons) {
   expectBrick(readMesh(written("triangles.obj", obj(brick())), 1), 1, 1e-15);
   expectBrick(readMesh(written("quads.obj", kBrickOfQuads), 1), 1, 1e-15);
+  std::string commented = "\xEF\xBB\xBF";
+  for (const char* c = kBrickOfQuads; *c != '\0'; ++c)
+    commented += *c == '\n' ? " # f 1 2 3\n" : std::string(1, *c);
+  expectBrick(readMesh(written("commented.obj", commented), 1), 1, 1e-15);
 }
 
 TEST_F(ReadMesh, ReadsDaeInItsUnitAndWithItsTransformsButNotItsUpAxis) {

@@ -141,8 +141,8 @@ TEST(SceneWrench, KeepsItsRules) {
             kWrench + "start must be a finite number [s], got .inf");
   EXPECT_EQ(wrenchError("duration: 1, force: [1, 2]"),
             kWrench + "force must be a list of 3 numbers [N], got [1, 2]");
-  EXPECT_EQ(wrenchError("duration: 1, point_frame: \"\""),
-            kWrench + "point_frame must be a text, got \"\"");
+  EXPECT_EQ(wrenchError("duration: 1, point_frame: [a]"),
+            kWrench + "point_frame must be a text, got [a]");
 }
 
 }  // namespace rigid_body_sim
