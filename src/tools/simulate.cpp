@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -69,7 +70,10 @@ StepHooks hooksOf(const Bags& bags, Simulation& simulation, Preface& preface) {
 State simulate(Simulation& simulation, double duration, double sample, const StepHooks& hooks,
                CsvWriter* csv) {
   const World& world = simulation.world();
-  const auto samples = static_cast<std::int64_t>(std::ceil(duration / sample - 1e-6));
+  // a duration that misses a multiple of the sample by rounding is one
+  const double ratio = duration / sample;
+  const auto samples =
+      static_cast<std::int64_t>(std::max(1.0, std::ceil(ratio - std::max(1e-9, 1e-15 * ratio))));
   ProgressBar bar;
   // what came in before the first step changes the state that it begins with
   if (hooks.before) hooks.before();
@@ -127,6 +131,7 @@ void run(const SimulateOptions& options) {
   std::fprintf(out, "%s: %.6g s in steps of %.6g s with %s, in %.3g s\n", options.scene.c_str(),
                last.t, world.solver.time_step, world.solver.integrator.c_str(), wall.count());
   std::fputs(runSummary(world, first, last).c_str(), out);
+  requireWritten(out);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "state_at.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -7,13 +8,15 @@ namespace rigid_body_sim {
 
 State stateAt(Simulation& simulation, double t, const StepHooks& hooks) {
   const double h = simulation.world().solver.time_step;
-  const auto whole_steps = static_cast<std::int64_t>(std::floor(t / h + 1e-6));
+  // a time that misses the end of a step by rounding is there
+  const double missed = std::max(1e-9, 1e-15 * t / h);
+  const auto whole_steps = static_cast<std::int64_t>(std::floor(t / h + missed));
   while (simulation.steps() < whole_steps) {
     if (hooks.before) hooks.before();
     simulation.step();
     if (hooks.after) hooks.after();
   }
-  if (t - simulation.time() < 1e-6 * h) return simulation.state();
+  if (t - simulation.time() < missed * h) return simulation.state();
   if (hooks.before) hooks.before();
   return simulation.sample(t);
 }

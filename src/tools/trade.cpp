@@ -85,6 +85,7 @@ void run(const TradeOptions& options) {
     std::printf("gnuplot is not installed: %s/trade.csv is there, the plot is not\n",
                 options.out.c_str());
   std::fputs(adviceText(trade).c_str(), stdout);
+  requireWritten(stdout);
 }
 
 }  // namespace

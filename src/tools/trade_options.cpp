@@ -1,8 +1,21 @@
 #include "trade_options.hpp"
 
+#include <rigid_body_sim/scene/message_text.hpp>
+
 #include "usage.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+/// gnuplot takes no line ends in a path.
+std::string directory(const std::string& path) {
+  if (path.empty() || oneLine(path) != path)
+    throw UsageError("--out: must be a path without control characters, got '" + printable(path) +
+                     "'");
+  return path;
+}
+
+}  // namespace
 
 TradeOptions parseTradeOptions(int argc, char** argv) {
   TradeOptions options;
@@ -10,7 +23,7 @@ TradeOptions parseTradeOptions(int argc, char** argv) {
       {"duration", [&](const char* s) { options.duration = positiveNumber("duration", s); }},
       {"error-budget",
        [&](const char* s) { options.error_budget = positiveNumber("error-budget", s); }},
-      {"out", [&](const char* s) { options.out = s; }}};
+      {"out", [&](const char* s) { options.out = directory(s); }}};
   const auto scene = readCommandLine(argc, argv, actions, "scene file");
   options.help = !scene;
   options.scene = scene.value_or("");

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <rigid_body_sim/scene/message_text.hpp>
+
 namespace rigid_body_sim {
 namespace {
 
@@ -28,11 +30,12 @@ std::vector<std::string> namesOf(const std::vector<Setting>& settings) {
   return names;
 }
 
-/// Inside double quotes of gnuplot, shown as it is.
+/// As gnuplot takes a text of one line word for word: in double quotes it would run what stands in
+/// backquotes.
 std::string quoted(const std::string& text) {
-  std::string safe;
-  for (char c : text) safe += c == '"' || c == '\\' || c == '\n' ? '_' : c;
-  return "\"" + safe + "\"";
+  std::string doubled;
+  for (char c : text) doubled += c == '\'' ? "''" : std::string(1, c);
+  return "'" + doubled + "'";
 }
 
 std::string scriptOf(const Trade& trade, const std::string& svg_path) {
@@ -50,7 +53,7 @@ std::string scriptOf(const Trade& trade, const std::string& svg_path) {
   const std::string scene = std::filesystem::path(trade.scene).filename().string();
   script << "set terminal svg size 900,600 noenhanced font 'sans,14' background 'white'\n"
          << "set output " << quoted(svg_path) << "\n"
-         << "set title " << quoted("What accuracy costs: " + scene) << "\n"
+         << "set title " << quoted("What accuracy costs: " + oneLine(scene)) << "\n"
          << "set xlabel 'processor time per simulated second [us]'\n"
          << "set ylabel 'worst error: attitude [rad] or position / path'\n"
          << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"

@@ -38,13 +38,21 @@ struct Run {
   std::int64_t evaluations;
 };
 
-/// A run with the given number of steps from instant to instant.
+/// A run with the given number of steps from instant to instant. Throws SimulationDiverged, also
+/// where steps have to be divided so much that it would not end.
 Run runOf(const World& world, const State& initial, const std::string& integrator, double duration,
           int parts) {
   Simulation simulation(withSolver(world, integrator, duration / kInstants / parts), initial);
+  const Method& method = methodNamed(integrator);
+  const double most_evaluations = 2 * kMostWork / method.cost * method.evaluations;
   Track track{initial};
   for (int k = 0; k < kInstants; ++k) {
-    for (int i = 0; i < parts; ++i) simulation.step();
+    for (int i = 0; i < parts; ++i) {
+      simulation.step();
+      if (static_cast<double>(simulation.evaluations()) > most_evaluations)
+        throw SimulationDiverged(simulation.time(), world.bodies.front().name,
+                                 "what moves here is too fast for a reference to be computed");
+    }
     track.push_back(simulation.state());
   }
   return {std::move(track), simulation.evaluations()};

@@ -106,7 +106,7 @@ std::string adviceText(const Trade& trade) {
                       1e-3 * best->cpu_ns_per_sim_s);
   advice += "integrator: " + best->integrator + "\n";
   advice += "time_step: " + numberText(best->time_step) + "\n";
-  if (best->integrator != "auto" && trade.present.integrator == "auto")
+  if (best->integrator != "auto" && trade.present.tolerance_stated)
     advice += "(a line `tolerance` goes with auto only and must then leave the scene)\n";
   return advice;
 }

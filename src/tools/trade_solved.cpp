@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include <rigid_body_sim/dynamics/rotor.hpp>
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/step_too_long.hpp>
 #include <rigid_body_sim/dynamics/taylor_segment.hpp>
 #include <rigid_body_sim/dynamics/wrench_schedule.hpp>
 
@@ -76,7 +78,11 @@ std::vector<State> seriesTrack(const World& world, const State& initial, double 
       if (wrench.body == i) schedule.put("", wrench, 0);
     Fine state = fine(initial.bodies[i]);
     for (std::size_t k = 1; k < track.size(); ++k) {
-      state = advanced(world.bodies[i], world.g_W, schedule, state, track[k - 1].t, track[k].t);
+      try {
+        state = advanced(world.bodies[i], world.g_W, schedule, state, track[k - 1].t, track[k].t);
+      } catch (const StepTooLong& reason) {
+        throw SimulationDiverged(track[k - 1].t, world.bodies[i].name, reason.what());
+      }
       track[k].bodies[i] = rounded(state);
     }
   });

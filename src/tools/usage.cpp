@@ -1,9 +1,12 @@
 #include "usage.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
+#include <stdexcept>
 #include <vector>
 
 #include <getopt.h>
@@ -21,9 +24,17 @@ bool asksForHelp(int argc, char** argv) {
 double positiveNumber(const std::string& option, const char* text) {
   char* end = nullptr;
   const double x = std::strtod(text, &end);
-  if (end == text || *end != '\0' || !std::isfinite(x) || !(x > 0))
+  // strtod takes more than a scene: blanks before, hexadecimals
+  const bool decimal = std::string(text).find_first_not_of("+-.0123456789eE") == std::string::npos;
+  if (end == text || *end != '\0' || !decimal || !std::isfinite(x) || !(x > 0))
     throw UsageError("--" + option + ": must be a finite number > 0, got '" + text + "'");
   return x;
+}
+
+void requireWritten(std::FILE* out) {
+  if (std::fflush(out) != 0 || std::ferror(out) != 0)
+    throw std::runtime_error(std::string("standard output cannot be written: ") +
+                             std::strerror(errno));
 }
 
 void requireCountable(double duration, double length, const std::string& things) {
@@ -48,7 +59,9 @@ std::optional<std::string> readCommandLine(int argc, char** argv, const OptionAc
   for (int code; (code = getopt_long(argc, argv, ":h", known.data(), &index)) != -1;) {
     if (code == kHelp) return std::nullopt;
     if (code == ':') throw UsageError(std::string(argv[optind - 1]) + " needs a value");
-    if (code != kValue) throw UsageError("unknown option " + std::string(argv[optind - 1]));
+    if (code != kValue)
+      throw UsageError("unknown option " + (optopt ? std::string("-") + static_cast<char>(optopt)
+                                                   : std::string(argv[optind - 1])));
     actions.at(known[static_cast<std::size_t>(index)].name)(optarg);
   }
   if (optind + 1 != argc)

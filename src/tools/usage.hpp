@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdio>
 #include <functional>
 #include <map>
 #include <optional>
@@ -22,6 +23,9 @@ bool asksForHelp(int argc, char** argv);
 
 /// The value of an option, named without its dashes. Throws UsageError unless it is finite and > 0.
 double positiveNumber(const std::string& option, const char* text);
+
+/// Throws std::runtime_error where what was written to an output does not get there.
+void requireWritten(std::FILE* out);
 
 /// Throws UsageError for a duration of more than kMostSteps of the given length [s]. things: what
 /// each of them is, such as "steps".

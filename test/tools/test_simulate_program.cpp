@@ -69,6 +69,22 @@ TEST(Simulate, WritesARowForEachBodyAndSampleUpToTheEnd) {
   }
 }
 
+TEST(Simulate, WritesTheEndHoweverItLiesToTheSamples) {
+  const auto times = [](const std::string& options) {
+    const Outcome run =
+        simulate(scenePath("wing_nut.yaml") + " --csv - " + options + " 2>/dev/null");
+    std::vector<double> all;
+    for (const std::string& row : lines(run.out))
+      if (row.find("time") != 0) all.push_back(numbers(row)[0]);
+    return all;
+  };
+  EXPECT_EQ(times("--duration 1e-9 --sample 1"), (std::vector<double>{0, 1e-9}));
+  EXPECT_EQ(times("--duration 1.0000001 --sample 0.5"),
+            (std::vector<double>{0, 0.5, 1, 1.0000001}));
+  EXPECT_EQ(times("--duration 2e-7 --sample 1e-7 --time-step 1"),
+            (std::vector<double>{0, 1e-7, 2e-7}));
+}
+
 TEST(Simulate, WritesTheVeryNumbersOfTheCore) {
   const Outcome run = simulate(scenePath("thrown_box.yaml") + " --csv - --duration 1 2>/dev/null");
   const Scene scene = loadScene(scenePath("thrown_box.yaml"));
@@ -133,6 +149,7 @@ TEST(Simulate, SaysWhatIsAtFaultAndNothingElse) {
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_EQ(lines(run.out).size(), 1U) << run.out;
   }
+  EXPECT_EQ(simulate(good + " 2>/dev/null >/dev/full").exit_code, 1);
   const std::string bad =
       sceneFile("time_step: 0.1\n" + body + "wrenches: [{body: b, frame: world, duration: 1}]\n");
   const Outcome run = simulate(bad + " 2>&1");
@@ -145,6 +162,7 @@ TEST(Simulate, ExitsWithTwoForWrongUsage) {
   for (const std::string& arguments :
        {std::string(""), std::string("a.yaml b.yaml"), std::string("a.yaml --no-such-option"),
         std::string("a.yaml --duration"), std::string("a.yaml --duration 1x"),
+        std::string("a.yaml --duration 0x10"), std::string("a.yaml -xyz"),
         std::string("a.yaml --sample 0"), std::string("a.yaml --time-step nan"),
         demo + " --integrator bogus", demo + " --integrator rk4 --tolerance 1e-6",
         demo + " --duration 1e300", demo + " --duration 1e18", demo + " --sample 1e-30",
@@ -168,6 +186,10 @@ wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_EQ(lines(run.out).size(), 2U);  // how it is solved, and what went wrong
   EXPECT_NE(run.out.find("body 'rocket'"), std::string::npos) << run.out;
+  const Outcome between = simulate(scene + " --sample 0.3 --csv - 2>&1");
+  EXPECT_EQ(between.exit_code, 3);
+  EXPECT_EQ(between.out.find("nan"), std::string::npos) << between.out;
+  EXPECT_NE(between.out.find("body 'rocket'"), std::string::npos) << between.out;
 }
 
 TEST(Simulate, HelpsOnRequest) {

@@ -60,8 +60,9 @@ void expectRow(const std::string& row) {
 }  // namespace
 
 TEST(TradeProgram, WritesEveryRowAndTheCheapestSetting) {
-  const std::string out = newDirectory() + "/made/here";
-  const Outcome run = trade(kScene + " --duration 0.1 --error-budget 1e-6 --out " + out);
+  // names that neither the shell nor gnuplot must take for more than that
+  const std::string made = newDirectory(), out = made + "/here `touch ran` \"$HOME\"";
+  const Outcome run = trade(kScene + " --duration 0.1 --error-budget 1e-6 --out '" + out + "'");
   EXPECT_EQ(run.exit_code, 0);
   const std::vector<std::string> rows = fileLines(out + "/trade.csv");
   ASSERT_GT(rows.size(), 9U);
@@ -74,6 +75,7 @@ TEST(TradeProgram, WritesEveryRowAndTheCheapestSetting) {
   EXPECT_NE(run.out.find("\ntime_step: "), std::string::npos) << run.out;
   const std::vector<std::string> plot = fileLines(out + "/trade.svg");
   EXPECT_NE(std::find(plot.begin(), plot.end(), "</svg>"), plot.end());
+  EXPECT_FALSE(std::ifstream("ran").good());
 }
 
 TEST(TradeProgram, SaysThatThePlotIsMissingWithoutGnuplot) {
