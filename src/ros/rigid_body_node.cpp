@@ -6,9 +6,9 @@
 
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "package_directory.hpp"
 #include "simulation_node.hpp"
-#include "tools/package_directory.hpp"
-#include "tools/usage.hpp"
+#include "usage.hpp"
 
 using namespace rigid_body_sim;
 
