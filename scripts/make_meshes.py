@@ -1,10 +1,8 @@
 #!/usr/bin/env python3
 """Writes the meshes of config/meshes, without any input.
 
-  unit_cube.stl      edge 1 m about the origin
-  wing_nut.stl       a hub with a hole and two wings, flat, three different moments of inertia
-  l_bracket.obj      two legs of different length
-  hollow_sphere.stl  outer radius 0.1 m, with a cavity of 0.08 m whose triangles face into it
+  wing_nut.stl   a hub with a hole and two wings, flat, three different moments of inertia
+  l_bracket.obj  two legs of different length
 
 Units are metres. Usage: make_meshes.py [directory]
 """
@@ -62,48 +60,6 @@ def l_bracket():
     return prism(outline, [(0, 1, 2), (0, 2, 3), (0, 3, 5), (3, 4, 5)], 0.1)
 
 
-def unit_cube():
-    outline = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)]
-    vertices, triangles = prism(outline, [(0, 1, 2), (0, 2, 3)], 1)
-    return [(x, y, z - 0.5) for x, y, z in vertices], triangles
-
-
-def sphere(radius, n):
-    """Rings of n points, n/2 - 1 of them between the poles."""
-    rings = n // 2 - 1
-    vertices = [(0, 0, -radius)]
-    for ring in range(1, rings + 1):
-        polar = math.pi * ring / (rings + 1)
-        for k in range(n):
-            angle = 2 * math.pi * k / n
-            vertices.append((radius * math.sin(polar) * math.cos(angle),
-                             radius * math.sin(polar) * math.sin(angle),
-                             -radius * math.cos(polar)))
-    vertices.append((0, 0, radius))
-    top = len(vertices) - 1
-
-    def at(ring, k):
-        return 1 + ring * n + k % n
-
-    triangles = []
-    for k in range(n):
-        triangles.append((0, at(0, k + 1), at(0, k)))
-        for ring in range(rings - 1):
-            a, b = at(ring, k), at(ring, k + 1)
-            c, d = at(ring + 1, k + 1), at(ring + 1, k)
-            triangles.extend([(a, b, c), (a, c, d)])
-        triangles.append((at(rings - 1, k), at(rings - 1, k + 1), top))
-    return vertices, triangles
-
-
-def hollow_sphere():
-    vertices, triangles = sphere(0.1, 32)
-    cavity_vertices, cavity_triangles = sphere(0.08, 32)
-    first = len(vertices)
-    triangles += [(first + a, first + c, first + b) for a, b, c in cavity_triangles]
-    return vertices + cavity_vertices, triangles
-
-
 def normal(a, b, c):
     u = [b[i] - a[i] for i in range(3)]
     v = [c[i] - a[i] for i in range(3)]
@@ -137,10 +93,8 @@ def main():
     here = pathlib.Path(__file__).resolve().parent
     directory = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here.parent / 'config/meshes'
     directory.mkdir(parents=True, exist_ok=True)
-    write_stl(directory / 'unit_cube.stl', unit_cube())
     write_stl(directory / 'wing_nut.stl', wing_nut())
     write_obj(directory / 'l_bracket.obj', l_bracket())
-    write_stl(directory / 'hollow_sphere.stl', hollow_sphere())
 
 
 if __name__ == '__main__':

@@ -1,18 +1,19 @@
 #include <rigid_body_sim/mass/shapes.hpp>
+#include <rigid_body_sim/math/wide.hpp>
 
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 double volumeOf(const Box& box) { return box.size.prod(); }
-double volumeOf(const Sphere& s) { return 4.0 / 3.0 * kPi * s.radius * s.radius * s.radius; }
-double volumeOf(const Cylinder& c) { return kPi * c.radius * c.radius * c.length; }
-double volumeOf(const Capsule& c) {
-  return kPi * c.radius * c.radius * (c.length + 4.0 / 3.0 * c.radius);
+double volumeOf(const Sphere& s) {
+  return 4.0 / 3.0 * kPi<double> * s.radius * s.radius * s.radius;
 }
-double volumeOf(const Ellipsoid& e) { return 4.0 / 3.0 * kPi * e.semi_axes.prod(); }
-double volumeOf(const Cone& c) { return kPi / 3.0 * c.radius * c.radius * c.length; }
+double volumeOf(const Cylinder& c) { return kPi<double> * c.radius * c.radius * c.length; }
+double volumeOf(const Capsule& c) {
+  return kPi<double> * c.radius * c.radius * (c.length + 4.0 / 3.0 * c.radius);
+}
+double volumeOf(const Ellipsoid& e) { return 4.0 / 3.0 * kPi<double> * e.semi_axes.prod(); }
+double volumeOf(const Cone& c) { return kPi<double> / 3.0 * c.radius * c.radius * c.length; }
 
 Vector3d momentsOf(const Box& box, double m) {
   const Vector3d s2 = box.size.cwiseAbs2();

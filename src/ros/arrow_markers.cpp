@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <rigid_body_sim/math/wide.hpp>
+
 #include "conversions.hpp"
 
 namespace rigid_body_sim {
@@ -14,7 +16,7 @@ constexpr double kStandardGravity = 9.80665;  // [m/s²]
 constexpr double kShortest = 0.1;             // of a body's size
 constexpr double kLongest = 3.0;
 constexpr double kRounding = 1e-12;
-constexpr double kHalfATurn = 3.141592653589793;  // [rad/s]
+constexpr double kHalfATurn = kPi<double>;  // [rad/s]
 
 /// How one kind of arrow looks.
 struct Kind {

@@ -10,7 +10,7 @@
 #include <tf2_ros/transform_listener.h>
 
 #include "conversions.hpp"
-#include "tools/usage.hpp"
+#include "usage.hpp"
 
 using namespace rigid_body_sim;
 

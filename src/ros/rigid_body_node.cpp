@@ -7,9 +7,9 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 #include <rigid_body_sim/scene/message_text.hpp>
 
+#include "package_directory.hpp"
 #include "simulation_node.hpp"
-#include "tools/package_directory.hpp"
-#include "tools/usage.hpp"
+#include "usage.hpp"
 
 using namespace rigid_body_sim;
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <rigid_body_sim/math/wide.hpp>
+
 #include "conversions.hpp"
 
 namespace rigid_body_sim {
@@ -45,11 +47,10 @@ Markers markersOf(const Capsule& capsule) {
 /// Triangles, since rviz has no cone of its own.
 Markers markersOf(const Cone& cone) {
   constexpr int kSides = 48;
-  constexpr double kTurn = 6.283185307179586;
   const Vector3d apex(0, 0, 0.75 * cone.length);
   const Vector3d middle(0, 0, -0.25 * cone.length);
   const auto rim = [&](int k) {
-    const double angle = kTurn * k / kSides;
+    const double angle = 2 * kPi<double> * k / kSides;
     return Vector3d(middle + cone.radius * Vector3d(std::cos(angle), std::sin(angle), 0));
   };
   Marker marker = scaled(Marker::TRIANGLE_LIST, Vector3d::Ones());

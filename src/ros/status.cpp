@@ -74,7 +74,7 @@ void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper&
   diagnostic.add("steps", status.steps);
   diagnostic.add("real-time factor reached", status.real_time_factor);
   diagnostic.add("overruns", status.overruns);
-  diagnostic.add("wrenches refused", status.refused);
+  diagnostic.add("inputs refused", status.refused);
   diagnostic.add("wrenches that act or are to come", status.active_wrenches);
   diagnostic.add("estimated attitude error [rad]", status.attitude_error);
   diagnostic.add("estimated position error [m]", status.position_error);

@@ -13,7 +13,7 @@ namespace rigid_body_sim {
 /// What the node knows of its run, beside the simulation.
 struct RunFigures {
   std::int64_t overruns = 0;
-  std::int64_t refused = 0;
+  std::int64_t refused = 0;  ///< inputs of any kind
   bool paused = false;
   std::string divergence;  ///< time, body and quantity, once the simulation has stopped
 };
@@ -23,11 +23,12 @@ struct RunFigures {
 SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures);
 
 /// Whether an attitude error estimated at a time is one that auto promises: nothing is promised
-/// beyond the horizon, or of an integrator that the scene names.
+/// beyond the horizon, or of an integrator that the scene names. The position is not judged: its
+/// error is promised relative to the length of the path, which nobody keeps.
 bool isWithinTolerance(const ErrorEstimate& error, double time, const SolverOptions& solver);
 
-/// Whether auto found a row that holds the scene's tolerance wherever it needed one, and no error
-/// was estimated that exceeds it.
+/// Whether auto found a row that holds the scene's tolerance wherever it needed one, and no
+/// attitude error was estimated that exceeds it.
 bool holdsTolerance(const Simulation& simulation);
 
 struct Health {

@@ -62,7 +62,6 @@ VisualDef readVisual(const Entry& entry) {
       {"color", [](const Entry& e, VisualDef& v) { v.color = readColor(e); }},
   };
   VisualDef visual;
-  visual.line = entry.node().line;
   readMapping(entry, keys, visual);
   return visual;
 }

@@ -1,4 +1,8 @@
+#include <algorithm>
 #include <csignal>
+#include <fstream>
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -9,6 +13,7 @@
 #include <unistd.h>
 
 #include "node_driver.hpp"
+#include "support/run_command.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -52,6 +57,60 @@ bool movesWhenLaunched(const std::vector<std::string>& arguments) {
   return NodeDriver::waitFor([&] { return heard > 2; });
 }
 
+/// How a launch file starts rviz.
+struct RvizCommand {
+  std::map<std::string, std::string> options;   ///< by their letters, such as "-d"
+  std::map<std::string, std::string> remapped;  ///< names of topics
+};
+
+RvizCommand rvizCommand(const std::vector<std::string>& arguments) {
+  std::string command = "roslaunch --args /rviz rigid_body_sim";
+  for (const std::string& argument : arguments) command += " " + argument;
+  RvizCommand rviz;
+  std::istringstream words(test::runCommand(command).out);
+  for (std::string word; words >> word;) {
+    const std::size_t becomes = word.find(":=");
+    if (becomes != std::string::npos)
+      rviz.remapped[word.substr(0, becomes)] = word.substr(becomes + 2);
+    else if (word[0] == '-')
+      words >> rviz.options[word];
+  }
+  return rviz;
+}
+
+std::string resolved(const RvizCommand& rviz, const std::string& topic) {
+  const auto other = rviz.remapped.find(topic);
+  return ros::names::resolve("/", other == rviz.remapped.end() ? topic : other->second);
+}
+
+/// The topics that the displays of rviz subscribe to. A display of handles says in a third one, in
+/// the same namespace, what the mouse does.
+std::vector<std::string> shownTopics(const RvizCommand& rviz) {
+  std::vector<std::string> topics;
+  std::ifstream configuration(rviz.options.at("-d"));
+  const std::string key = " Topic: ";
+  const std::string update = "/update";
+  for (std::string line; std::getline(configuration, line);) {
+    const std::size_t at = line.find(key);
+    if (at == std::string::npos) continue;
+    const std::string topic = line.substr(at + key.size());
+    topics.push_back(resolved(rviz, topic));
+    const std::size_t name = topic.rfind(update);
+    if (name == std::string::npos) continue;
+    topics.push_back(resolved(rviz, topic + "_full"));
+    const std::string space = topics.back().substr(0, topics.back().rfind('/'));
+    EXPECT_EQ(resolved(rviz, topic.substr(0, name) + "/feedback"), space + "/feedback");
+  }
+  return topics;
+}
+
+bool isPublished(const std::string& topic) {
+  ros::master::V_TopicInfo all;
+  ros::master::getTopics(all);
+  return std::any_of(all.begin(), all.end(),
+                     [&](const ros::master::TopicInfo& info) { return info.name == topic; });
+}
+
 }  // namespace
 
 TEST(LaunchFiles, RunAfterOneThatSentTheSceneAsText) {
@@ -86,6 +145,30 @@ TEST(LaunchFiles, StartAFleetWhereItsNodesHadOtherParameters) {
       nh.subscribe<nav_msgs::Odometry>("/second/top/odom", 100, hear);
   const Launched launched({"fleet.launch"});
   EXPECT_TRUE(NodeDriver::waitFor([&] { return heard > 2; }));
+}
+
+TEST(LaunchFiles, ShowInRvizWhatTheirNodesPublish) {
+  const std::vector<std::vector<std::string>> launches{{"sim.launch", kScene},
+                                                       {"demo.launch"},
+                                                       {"remote.launch", kScene},
+                                                       {"fleet.launch"},
+                                                       {"fleet.launch", "ns:=a", "follower_ns:=b"}};
+  for (const std::vector<std::string>& arguments : launches) {
+    SCOPED_TRACE(::testing::PrintToString(arguments));
+    const std::vector<std::string> topics = shownTopics(rvizCommand(arguments));
+    // the bodies of every node, and two topics of their handles
+    ASSERT_EQ(topics.size(), arguments[0] == "fleet.launch" ? 6U : 3U);
+    const Launched launched(arguments);
+    for (const std::string& topic : topics)
+      EXPECT_TRUE(NodeDriver::waitFor([&] { return isPublished(topic); })) << topic;
+  }
+}
+
+TEST(LaunchFiles, LetRvizStandInTheWorldFrameOfTheScene) {
+  for (const char* file : {"sim.launch", "remote.launch", "fleet.launch"}) {
+    EXPECT_EQ(rvizCommand({file, kScene}).options["-f"], "world") << file;
+    EXPECT_EQ(rvizCommand({file, kScene, "world_frame:=map"}).options["-f"], "map") << file;
+  }
 }
 
 }  // namespace rigid_body_sim

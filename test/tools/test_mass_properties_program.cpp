@@ -72,13 +72,18 @@ class MassPropertiesProgram : public ::testing::Test {
     EXPECT_EQ(outcome.error, "mass_properties: " + line + "\n");
   }
 
+  /// A file of a cube of 1 m about the origin.
+  std::string unitCube() const {
+    return files_.written("unit_cube.stl", binaryStl(triangulated(Box{{1, 1, 1}}, 0)));
+  }
+
   TemporaryDirectory files_;
 };
 
 }  // namespace
 
 TEST_F(MassPropertiesProgram, TellsOfTheUnitCube) {
-  const std::string cube = kConfig + "/meshes/unit_cube.stl";
+  const std::string cube = unitCube();
   EXPECT_EQ(out(cube + " --mass 6"),
             "unit_cube: volume 1 m^3, density 6 kg/m^3\n"
             "  mass               6 kg\n"
@@ -102,7 +107,7 @@ TEST_F(MassPropertiesProgram, TellsOfTheUnitCube) {
 }
 
 TEST_F(MassPropertiesProgram, SaysWhatDensityItAssumed) {
-  EXPECT_THAT(out(kConfig + "/meshes/unit_cube.stl"),
+  EXPECT_THAT(out(unitCube()),
               StartsWith("unit_cube: volume 1 m^3, density 1000 kg/m^3 (assumed: neither --density "
                          "nor --mass is given)\n  mass               1000 kg\n"));
 }

@@ -8,7 +8,10 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,11 +39,22 @@ std::string newDirectory() {
   return name;
 }
 
-std::vector<std::string> fileLines(const std::string& path) {
+std::vector<std::string> linesOf(std::istream&& text) {
   std::vector<std::string> all;
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) all.push_back(line);
+  for (std::string line; std::getline(text, line);) all.push_back(line);
   return all;
+}
+
+std::vector<std::string> fileLines(const std::string& path) { return linesOf(std::ifstream(path)); }
+
+/// Waits for one more byte; false where none comes any more.
+bool readByte(int pipe, std::string& all) {
+  constexpr int kNever = 60000;  // [ms]
+  pollfd ready{pipe, POLLIN, 0};
+  char byte = 0;
+  if (poll(&ready, 1, kNever) != 1 || read(pipe, &byte, 1) != 1) return false;
+  all += byte;
+  return true;
 }
 
 /// The name, then seven numbers, none of them negative.
@@ -87,21 +101,32 @@ TEST(TradeProgram, SaysThatThePlotIsMissingWithoutGnuplot) {
 }
 
 TEST(TradeProgram, LeavesAValidFileWhenInterrupted) {
-  const std::string csv_path = newDirectory() + "/trade.csv";
-  const std::string directory = csv_path.substr(0, csv_path.rfind('/'));
+  const std::string directory = newDirectory();
+  // a pipe in place of the file: whoever reads is woken, and what no one reads holds the writer up
+  ASSERT_EQ(mkfifo((directory + "/trade.csv").c_str(), 0600), 0);
+  const int csv = open((directory + "/trade.csv").c_str(), O_RDONLY | O_NONBLOCK);
+  // the least there is; the whole table takes 9 kB
+  ASSERT_EQ(fcntl(csv, F_SETPIPE_SZ, 4096), 4096);
   const pid_t child = fork();
   if (child == 0) {
     close(STDERR_FILENO);
     execl(kProgram.c_str(), "trade", kScene.c_str(), "--out", directory.c_str(), nullptr);
     _exit(127);
   }
-  while (fileLines(csv_path).size() < 4 && waitpid(child, nullptr, WNOHANG) == 0) {
+  ASSERT_GT(child, 0);
+  std::string written;
+  while (std::count(written.begin(), written.end(), '\n') < 4 && readByte(csv, written)) {
   }
   kill(child, SIGINT);
   int status = 0;
   waitpid(child, &status, 0);
+  while (readByte(csv, written)) {
+  }
+  close(csv);
   EXPECT_TRUE(WIFSIGNALED(status));
-  const std::vector<std::string> rows = fileLines(csv_path);
+  ASSERT_FALSE(written.empty());
+  EXPECT_EQ(written.back(), '\n');
+  const std::vector<std::string> rows = linesOf(std::istringstream(written));
   ASSERT_GE(rows.size(), 4U);
   EXPECT_EQ(rows[0], kHeader);
   for (std::size_t i = 1; i < rows.size(); ++i) expectRow(rows[i]);

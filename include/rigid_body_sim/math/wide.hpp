@@ -9,10 +9,6 @@ struct WideOf {
   using type = T;
 };
 template <>
-struct WideOf<float> {
-  using type = double;
-};
-template <>
 struct WideOf<double> {
   using type = long double;
 };

@@ -20,6 +20,9 @@ struct UrdfLink {
 /// in the axes of its <origin>, I_B = R(rpy) I R(rpy)ᵀ; it is not checked here. Relative names of
 /// mesh files start from the directory of the URDF file.
 ///
+/// Not for two threads at once: while it reads, it takes the output of console_bridge, which is one
+/// for the whole process, and gives it back however the reading ends.
+///
 /// Throws std::runtime_error with one line, the path first, for a file that cannot be read, is
 /// larger than 16 MiB, or is no URDF robot.
 std::vector<UrdfLink> readUrdf(const std::string& path);

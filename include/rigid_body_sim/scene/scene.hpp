@@ -35,7 +35,6 @@ struct PointDef {
 struct VisualDef {
   std::string mesh;            ///< URL; empty: what the body is made of
   std::optional<Color> color;  ///< none: as the viewer likes
-  int line = 0;
 };
 
 /// The solid within a closed triangle mesh, in the axes of its file. The triangles themselves have
