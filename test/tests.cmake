@@ -8,6 +8,8 @@ function(rigid_body_gtest name)
   catkin_add_gtest(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE test)
   target_link_libraries(${name} ${ARG_LIBRARIES} rigid_body_compile_options gtest_main)
+  # helpers of the same name in several files are no fault
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   add_dependencies(rigid_body_gtests ${name})
   file(APPEND ${CMAKE_BINARY_DIR}/gtests.txt "${name}\n")
 endfunction()

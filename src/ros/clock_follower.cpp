@@ -5,12 +5,12 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr std::uint32_t kQueueSize = 100;
+constexpr std::uint32_t kClockQueue = 100;
 
 }  // namespace
 
 ClockFollower::ClockFollower(ros::NodeHandle nh)
-    : subscriber_(nh.subscribe("/clock", kQueueSize, &ClockFollower::hear, this,
+    : subscriber_(nh.subscribe("/clock", kClockQueue, &ClockFollower::hear, this,
                                ros::TransportHints().tcpNoDelay())) {}
 
 bool ClockFollower::takeSetBack() { return std::exchange(set_back_, false); }

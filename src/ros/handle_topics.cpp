@@ -14,7 +14,7 @@ using visualization_msgs::InteractiveMarkerInit;
 using visualization_msgs::InteractiveMarkerPose;
 using visualization_msgs::InteractiveMarkerUpdate;
 
-constexpr std::uint32_t kQueueSize = 100;
+constexpr std::uint32_t kHandleQueue = 100;
 constexpr bool kLatched = true;
 constexpr std::chrono::milliseconds kPeriod(500);
 
@@ -30,10 +30,10 @@ InteractiveMarkerUpdate numbered(std::uint64_t changes) {
 HandleTopics::HandleTopics(ros::NodeHandle private_nh,
                            const std::vector<InteractiveMarker>& handles, const Sink& sink)
     : handles_(handles),
-      all_(private_nh.advertise<InteractiveMarkerInit>("push/update_full", kQueueSize, kLatched)),
-      update_(private_nh.advertise<InteractiveMarkerUpdate>("push/update", kQueueSize)) {
+      all_(private_nh.advertise<InteractiveMarkerInit>("push/update_full", kHandleQueue, kLatched)),
+      update_(private_nh.advertise<InteractiveMarkerUpdate>("push/update", kHandleQueue)) {
   const boost::function<void(const Feedback&)> hear = sink;
-  feedback_ = private_nh.subscribe<Feedback>("push/feedback", kQueueSize, hear);
+  feedback_ = private_nh.subscribe<Feedback>("push/feedback", kHandleQueue, hear);
   publishAll();
 }
 

@@ -4,7 +4,7 @@ namespace rigid_body_sim {
 namespace {
 
 constexpr std::chrono::seconds kPeriod(1);
-constexpr std::uint32_t kQueueSize = 10;
+constexpr std::uint32_t kMonitorQueue = 10;
 
 }  // namespace
 
@@ -13,8 +13,8 @@ Monitor::Monitor(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::stri
     : world_frame_(world_frame),
       origin_(origin),
       last_report_(Clock::now()),
-      status_(private_nh.advertise<SimStatus>("status", kQueueSize)),
-      diagnostics_(nh.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", kQueueSize)),
+      status_(private_nh.advertise<SimStatus>("status", kMonitorQueue)),
+      diagnostics_(nh.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", kMonitorQueue)),
       updater_(nh, private_nh) {
   updater_.setHardwareID("none");
   updater_.add("simulation", [this](diagnostic_updater::DiagnosticStatusWrapper& diagnostic) {

@@ -10,7 +10,7 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr std::uint32_t kQueueSize = 100;
+constexpr std::uint32_t kStaticTfQueue = 100;
 
 /// On a body, acting or to come, beside those of the scene: a sender without end must not fill the
 /// memory, nor the time.
@@ -88,7 +88,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
           nh_, private_nh_, movingBodies(simulation_.world()), time_.origin(),
           [this](const WrenchRequest& request) { return take(request); },
           [this](const std::string& body, const std::string& slot) { return clear(body, slot); }),
-      tf_static_(nh_.subscribe("/tf_static", kQueueSize, &StaticFrames::add, &static_frames_)),
+      tf_static_(nh_.subscribe("/tf_static", kStaticTfQueue, &StaticFrames::add, &static_frames_)),
       services_{private_nh_.advertiseService("pause", &SimulationNode::pause, this),
                 private_nh_.advertiseService("step", &SimulationNode::stepPaused, this),
                 private_nh_.advertiseService("reset", &SimulationNode::reset, this),

@@ -9,12 +9,12 @@ namespace rigid_body_sim {
 namespace {
 
 /// Messages that may wait for the next step boundary: a tenth of a second at 10 000 a second.
-constexpr std::uint32_t kQueueSize = 1000;
+constexpr std::uint32_t kWrenchQueue = 1000;
 
 template <class Message>
 ros::Subscriber subscribe(ros::NodeHandle& nh, const std::string& topic,
                           const boost::function<void(const boost::shared_ptr<const Message>&)>& f) {
-  return nh.subscribe<Message>(topic, kQueueSize, f, ros::VoidConstPtr(),
+  return nh.subscribe<Message>(topic, kWrenchQueue, f, ros::VoidConstPtr(),
                                ros::TransportHints().tcpNoDelay());
 }
 

@@ -26,8 +26,8 @@ bool isActedOn(const World& world, std::size_t body, double t_end) {
 }
 
 /// What a body has at one instant.
-struct Balance {
-  Balance(const Body& body, const BodyState& state, const Vector3d& g_W)
+struct Kept {
+  Kept(const Body& body, const BodyState& state, const Vector3d& g_W)
       : kinetic(kineticEnergy(body, state)),
         energy(kinetic - body.mass * g_W.dot(state.x_W + state.x_low_W)),
         momentum(state.p_W),
@@ -38,7 +38,7 @@ struct Balance {
   Vector3d angular_momentum;  // [kg m²/s] about the centre of mass
 };
 
-std::string keptText(const Balance& a, const Balance& b, const Vector3d& weight_impulse) {
+std::string keptText(const Kept& a, const Kept& b, const Vector3d& weight_impulse) {
   const double energy_scale = std::max(a.kinetic, b.kinetic);
   const double p_scale = std::max(a.momentum.norm(), b.momentum.norm());
   const double L_scale = a.angular_momentum.norm();
@@ -48,7 +48,7 @@ std::string keptText(const Balance& a, const Balance& b, const Vector3d& weight_
                    ratio((b.angular_momentum - a.angular_momentum).norm(), L_scale));
 }
 
-std::string pushedText(const Balance& a, const Balance& b, const Vector3d& weight_impulse) {
+std::string pushedText(const Kept& a, const Kept& b, const Vector3d& weight_impulse) {
   return formatted("  pushed: energy %+.4g J, momentum ", b.energy - a.energy) +
          text(b.momentum - a.momentum - weight_impulse) + " N s, angular momentum " +
          text(b.angular_momentum - a.angular_momentum) + " N m s\n";
@@ -65,8 +65,8 @@ std::string runSummary(const World& world, const State& first, const State& last
     summary += body.name + ": from " + text(toBodyFrameMotion(body, first.bodies[i]).x_W) + " to " +
                text(m.x_W) + " m, velocity " + text(m.v_W) + " m/s, turning at " + text(m.w_W) +
                " rad/s\n";
-    const Balance a(body, first.bodies[i], world.g_W);
-    const Balance b(body, last.bodies[i], world.g_W);
+    const Kept a(body, first.bodies[i], world.g_W);
+    const Kept b(body, last.bodies[i], world.g_W);
     const Vector3d weight_impulse = body.mass * (last.t - first.t) * world.g_W;
     summary += isActedOn(world, i, last.t) ? pushedText(a, b, weight_impulse)
                                            : keptText(a, b, weight_impulse);

@@ -7,7 +7,7 @@
 namespace rigid_body_sim::extremes {
 namespace {
 
-const Vector3d kMoments(1, 2, 2.5);
+const Vector3d kBoxMoments(1, 2, 2.5);
 
 PointWrench worldForce(const Vector3d& force, const Vector3d& point = Vector3d::Zero()) {
   PointWrench push;
@@ -18,7 +18,7 @@ PointWrench worldForce(const Vector3d& force, const Vector3d& point = Vector3d::
 
 test::Bench tumblingBody() {
   test::Bench bench;
-  bench.add(test::principalBody("body", 1, kMoments),
+  bench.add(test::principalBody("body", 1, kBoxMoments),
             test::tumbling({0.6, 0, 0.8}, Vector3d(2, 3, 6) / 7));
   return bench;
 }
@@ -157,7 +157,7 @@ Cells springs(const Names& rows, const Sizes& sizes) {
 
 Cells tolerances() {
   test::Bench linked;
-  const Body box = test::principalBody("box", 1, kMoments);
+  const Body box = test::principalBody("box", 1, kBoxMoments);
   linked.add(box, test::tumbling({0, 0, 0}, {1, 0.5, -0.3}));
   linked.add(box, test::tumbling({0.3, 0, 0.2}, {0.2, -1, 0.1}));
   linked.initial.bodies[1].x_W = {2, 0, 0};
@@ -189,7 +189,7 @@ Cells crowds(const Names& rows, std::size_t bodies) {
   test::Bench bench;
   bench.world.g_W = {0, 0, -9.81};
   for (std::size_t i = 0; i < bodies; ++i)
-    bench.add(test::principalBody("body", 1, kMoments),
+    bench.add(test::principalBody("body", 1, kBoxMoments),
               test::tumbling({normal(random), normal(random), normal(random)},
                              {normal(random), normal(random), normal(random)}));
   const Run run{1e-2, 10};
