@@ -22,7 +22,7 @@ class BagTransport {
   Topic<Message> open(const std::string& name, bool latched) {
     const std::string path = resolved(name);
     const boost::shared_ptr<ros::M_string> header = connectionHeader<Message>(path, latched);
-    return {[] { return true; },
+    return {[] { return 1; },
             [&bag = bag_, path, header](const Message& message, const ros::Time& stamp) {
               // a bag has no time zero
               bag.write(path, std::max(stamp, ros::TIME_MIN), message, header);

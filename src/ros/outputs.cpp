@@ -26,7 +26,8 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
       state_ticker_(options.publish_rate, scene.time_step),
       clock_ticker_(options.clock_rate, scene.time_step),
       marker_ticker_(std::min(options.publish_rate, kMarkerRate), scene.time_step),
-      live_markers_(topics_.live_markers, scene.world_frame, simulation) {
+      live_markers_(topics_.live_markers, scene.world_frame, simulation),
+      bodies_(toMarkers(scene)) {
   publishOnce(scene);
 }
 
@@ -44,7 +45,7 @@ void Outputs::publishOnce(const Scene& scene) {
                                               body.name, body.name + "/" + point.name, stamp));
   }
   if (!frames.transforms.empty()) topics_.tf_static.publish(frames, stamp);
-  topics_.markers.publish(toMarkers(scene), stamp);
+  topics_.markers.publish(bodies_, stamp);
 }
 
 void Outputs::publishDue() {
@@ -58,6 +59,13 @@ void Outputs::publishNow() {
   if (publish_clock_) publishClock();
   publishState();
   publishMarkers();
+}
+
+void Outputs::repeatBodies() {
+  if (viewers_are_new_) topics_.markers.publish(bodies_, origin_.stamp(simulation_.time()));
+  const std::size_t viewers = topics_.markers.heard();
+  viewers_are_new_ = viewers > viewers_;
+  viewers_ = viewers;
 }
 
 void Outputs::restart() {

@@ -30,6 +30,10 @@ class Outputs {
   /// Publishes the state whether due or not, unless it has been already.
   void publishNow();
 
+  /// Sends the bodies again if viewers had come at the call before. To be called every second or
+  /// so: rviz drops for good what reaches it before the frames do.
+  void repeatBodies();
+
   /// Time has been set back to the start.
   void restart();
 
@@ -57,6 +61,9 @@ class Outputs {
   LastStamp last_clock_stamp_;
   LastStamp last_marker_stamp_;
   LiveMarkers live_markers_;
+  visualization_msgs::MarkerArray bodies_;
+  std::size_t viewers_ = 0;  // at the last call of repeatBodies
+  bool viewers_are_new_ = false;
 };
 
 }  // namespace rigid_body_sim

@@ -20,7 +20,7 @@ class RosTransport {
   Topic<Message> open(const std::string& name, bool latched) {
     const ros::Publisher publisher =
         nh_.advertise<Message>(ros::names::resolve(name), queue_size_, latched);
-    return {[publisher] { return publisher.getNumSubscribers() > 0; },
+    return {[publisher] { return publisher.getNumSubscribers(); },
             [publisher](const Message& message, const ros::Time&) { publisher.publish(message); }};
   }
 

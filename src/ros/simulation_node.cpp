@@ -135,6 +135,8 @@ void SimulationNode::serve(double seconds) {
 
 void SimulationNode::report() {
   track(monitor_.isHeard());
+  // not while paused: a viewer that has come since hears of no frame
+  if (!paused_) outputs_.repeatBodies();
   RunFigures figures;
   figures.overruns = time_.overruns();
   figures.refused = refusals_.count();

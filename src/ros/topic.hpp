@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 #include <ros/time.h>
@@ -9,7 +10,7 @@ namespace rigid_body_sim {
 /// A topic to write to, whatever lies behind it: a publisher of ROS or a bag.
 template <class Message>
 struct Topic {
-  std::function<bool()> heard;  ///< whether anybody takes what is published
+  std::function<std::size_t()> heard;  ///< how many take what is published
   std::function<void(const Message&, const ros::Time& stamp)> publish;
 };
 

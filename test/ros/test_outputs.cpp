@@ -32,7 +32,7 @@ struct Memory {
     ++others[name];
   }
 
-  bool heard = true;
+  std::size_t heard = 1;
   std::map<std::string, std::vector<nav_msgs::Odometry>> odometry;
   std::vector<tf2_msgs::TFMessage> tf;  // the static ones first
   std::vector<BodyStates> states;
@@ -203,12 +203,23 @@ TEST(Outputs, BeginAtTheStartOfAClockFromZero) {
 
 TEST(Outputs, TellNothingToNobody) {
   ToldRun run(0.01);
-  run.memory.heard = false;
+  run.memory.heard = 0;
   run.steps(50);
   EXPECT_TRUE(run.memory.odometry.empty());
   EXPECT_TRUE(run.memory.states.empty());
   EXPECT_EQ(run.memory.tf.size(), 1U);  // the static one, latched before
   EXPECT_EQ(run.memory.others, (std::map<std::string, int>{{"~markers", 1}}));
+}
+
+TEST(Outputs, RepeatTheBodiesOnceForViewersWhoHaveCome) {
+  ToldRun run(0.01);
+  std::vector<int> sent;
+  for (const std::size_t viewers : {0U, 0U, 1U, 1U, 1U, 2U, 2U, 1U, 1U}) {
+    run.memory.heard = viewers;
+    run.outputs.repeatBodies();
+    sent.push_back(run.memory.others.at("~markers"));
+  }
+  EXPECT_EQ(sent, (std::vector<int>{1, 1, 1, 2, 2, 2, 3, 3, 3}));
 }
 
 }  // namespace rigid_body_sim
