@@ -7,7 +7,7 @@
 
 namespace rigid_body_sim {
 
-/// What changes about a body, in momentum form. T: the scalar, or a pack of them.
+/// What changes about a body, in momentum form. T: the scalar.
 ///
 /// The angular momentum is carried twice, in world and in principal axes, because each keeps what
 /// the other loses: L_W is constant to the last bit without torque; L_P gives the angular velocity
