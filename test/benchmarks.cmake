@@ -1,5 +1,5 @@
 # Programs that print a table; they need nothing else.
-foreach(name long_run step_cost)
+foreach(name long_run many step_cost)
   add_executable(benchmark_${name} test/benchmark/${name}.cpp)
   target_include_directories(benchmark_${name} PRIVATE src test)
   target_link_libraries(benchmark_${name} PRIVATE rigid_body_sim_core rigid_body_compile_options)

@@ -57,6 +57,7 @@ Bench draggedBody() {
 struct Measured {
   Bench bench;
   const char* integrator;
+  bool reads = true;  ///< the state, after every step
 };
 
 const std::map<std::string, std::function<Measured()>>& scenes() {
@@ -72,6 +73,10 @@ const std::map<std::string, std::function<Measured()>>& scenes() {
       {"free_auto_100",
        [] {
          return Measured{freeBodies(100), "auto"};
+       }},
+      {"free_unread_auto_100",
+       [] {
+         return Measured{freeBodies(100), "auto", false};
        }},
       {"lever_auto_1",
        [] {
@@ -121,7 +126,10 @@ int run(const std::string& scene, int steps) {
   }
   const Measured measured = entry->second();
   Simulation sim = measured.bench.simulation(measured.integrator, 1e-3);
-  for (int i = 0; i < steps; ++i) sim.step();
+  for (int i = 0; i < steps; ++i) {
+    sim.step();
+    if (measured.reads) sim.state();
+  }
   return 0;
 }
 
