@@ -101,7 +101,7 @@ template <class... Meter>
 void Simulation::stepBy(bool foreseen_too, Meter&... meter) {
   const double t_end = static_cast<double>(steps_ + 1) * world_->solver.time_step;
   advanced_.clear();
-  consumed_.clear();
+  scheduled_.clear();
   try {
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       if (t_end < foreseen_until_[g] && !foreseen_too) continue;
@@ -138,22 +138,26 @@ void Simulation::begin(std::size_t group, double t_end) {
   foreseen_until_[group] = kNotForeseen;
   advanced_.push_back(group);
   for (std::size_t body : groups_[group].members())
-    if (schedules_[body].nextEvent() <= t_end) consumed_.emplace_back(body, schedules_[body]);
+    if (schedules_[body].nextEvent() <= t_end) {
+      schedules_[body].beginStep();
+      scheduled_.push_back(body);
+    }
 }
 
 /// Makes a step that has failed one that was never begun.
 void Simulation::takeBack() {
-  for (auto& [body, schedule] : consumed_) schedules_[body] = std::move(schedule);
+  for (std::size_t body : scheduled_) schedules_[body].takeBack();
   for (std::size_t g : advanced_) groups_[g].restart(state_.t, schedules_);
 }
 
 /// Makes the step's end the present.
 void Simulation::accept(double t_end) {
+  for (std::size_t body : scheduled_) schedules_[body].accept();
   for (std::size_t g : advanced_) {
     groups_[g].putStates(state_.bodies);
     foreseen_until_[g] = groups_[g].foreseenUntil(schedules_);
   }
-  lags_ |= advanced_.size() < groups_.size();
+  lags_ = advanced_.size() < groups_.size();
   state_.t = t_end;
   ++steps_;
 }

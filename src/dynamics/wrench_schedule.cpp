@@ -63,6 +63,7 @@ bool WrenchSchedule::advanceTo(double t) {
   active_slots_.resize(kept);
   while (!pending_.empty() && pending_.begin()->first <= t) {
     Pending& first = pending_.begin()->second;
+    if (before_) before_->started.emplace_back(*pending_.begin());
     if (first.wrench.end > t) {
       active_.push_back(first.wrench);
       active_slots_.push_back(std::move(first.slot));
@@ -72,6 +73,18 @@ bool WrenchSchedule::advanceTo(double t) {
   findNextEvent();
   return true;
 }
+
+void WrenchSchedule::beginStep() { before_ = Before{active_, active_slots_, {}}; }
+
+void WrenchSchedule::takeBack() {
+  active_ = std::move(before_->active);
+  active_slots_ = std::move(before_->active_slots);
+  for (auto& started : before_->started) pending_.insert(std::move(started));
+  before_.reset();
+  findNextEvent();
+}
+
+void WrenchSchedule::accept() { before_.reset(); }
 
 bool WrenchSchedule::allHeld() const {
   return std::all_of(active_.begin(), active_.end(), HeldWrench::holds) &&

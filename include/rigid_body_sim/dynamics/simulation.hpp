@@ -6,7 +6,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/balance.hpp>
@@ -167,11 +166,11 @@ class Simulation {
   std::vector<Group> groups_;
   std::vector<double> foreseen_until_;  // Group's, index by index; infinite past: not known
   std::vector<std::size_t> advanced_;   // groups that a step advances; used inside it
-  std::vector<std::pair<std::size_t, WrenchSchedule>> consumed_;  // of bodies, as a step found them
-  int most_parts_ = 1;                                            // of groups that are no more
-  std::int64_t evaluations_ = 0;                                  // likewise
-  std::size_t at_most_ = 0;                                       // not less than wrenchCount()
-  std::vector<std::size_t> group_of_;  // body -> index in groups_; of no account for a fixed body
+  std::vector<std::size_t> scheduled_;  // bodies with an event within a step; used inside it
+  int most_parts_ = 1;                  // of groups that are no more
+  std::int64_t evaluations_ = 0;        // likewise
+  std::size_t at_most_ = 0;             // not less than wrenchCount()
+  std::vector<std::size_t> group_of_;   // body -> index in groups_; of no account for a fixed body
   std::map<std::vector<std::size_t>, MethodChoice> choices_;  // of auto's trials, by members
   std::vector<bool> disturbed_;  // bodies that do not move as they did in a trial
   double most_turn_share_ = 1;   // MethodChoice's

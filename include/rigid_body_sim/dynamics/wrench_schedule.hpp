@@ -1,7 +1,10 @@
 #pragma once
 
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/held_wrench.hpp>
@@ -27,6 +30,12 @@ class WrenchSchedule {
   /// that changed what acts.
   bool advanceTo(double t);
 
+  /// From now on it is kept in mind what advanceTo changes, until that is taken back or accepted;
+  /// nothing else may change it meanwhile.
+  void beginStep();
+  void takeBack();
+  void accept();
+
   /// [s] the next instant at which advanceTo changes something; infinity when none is to come.
   double nextEvent() const { return next_event_; }
 
@@ -45,11 +54,18 @@ class WrenchSchedule {
     std::string slot;
     PointWrench wrench;
   };
+  /// How a step found the schedule.
+  struct Before {
+    std::vector<PointWrench> active;
+    std::vector<std::string> active_slots;
+    std::vector<std::pair<double, Pending>> started;
+  };
   void findNextEvent();
 
   std::vector<PointWrench> active_;
   std::vector<std::string> active_slots_;   // of active_, index by index
   std::multimap<double, Pending> pending_;  // by start
+  std::optional<Before> before_;            // within a step
   double next_event_ = std::numeric_limits<double>::infinity();
 };
 
