@@ -1,6 +1,7 @@
 #include "edge_fault.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace rigid_body_sim {
@@ -41,16 +42,28 @@ struct Offenders {
   }
 };
 
+/// A corner of a triangle that is there twice, the same way round; none where all differ.
+std::optional<std::uint32_t> cornerOfDoubled(std::vector<Triangle> triangles) {
+  for (Triangle& t : triangles)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end());
+  const auto doubled = std::adjacent_find(triangles.begin(), triangles.end());
+  if (doubled == triangles.end()) return std::nullopt;
+  return doubled->front();
+}
+
 }  // namespace
 
 std::string edgeFault(const TriangleMesh& mesh) {
   const std::vector<EdgeUse> uses = sortedEdgeUses(mesh.triangles);
   Offenders open, overused, one_way;
+  bool shared = false;  // an edge, by more than two triangles
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     std::size_t backward = 0;
     for (; end < uses.size() && uses[end] >> 1 == uses[begin] >> 1; ++end)
       backward += uses[end] & 1u;
     const std::size_t triangles = end - begin;
+    shared |= triangles > 2;
     if (2 * backward == triangles) continue;
     (triangles == 1 ? open : triangles == 2 ? one_way : overused).add(uses[begin], triangles);
   }
@@ -73,6 +86,10 @@ std::string edgeFault(const TriangleMesh& mesh) {
   else if (one_way.edges > 0)
     fault << "mesh must be oriented consistently, got " << one_way.edges
           << " edges along which both triangles run the same way, the first " << place(one_way);
+  else if (shared)
+    if (const auto corner = cornerOfDoubled(mesh.triangles))
+      fault << "mesh triangles must differ, got one twice, with a corner at ["
+            << mesh.vertices[*corner].transpose() << "] m";
   return fault.str();
 }
 

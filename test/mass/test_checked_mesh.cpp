@@ -82,6 +82,14 @@ TEST(CheckedMesh, NamesEdgesThatAreUsedThrice) {
             "not, the first with 3 triangles from [-0.5 -0.5 -0.5] to [-0.5  0.5 -0.5] m");
 }
 
+// Its edges would pass, and its mass be twice as great.
+TEST(CheckedMesh, NamesATriangleThatIsThereTwice) {
+  TriangleMesh mesh = cube();
+  for (const Triangle& t : cube().triangles) mesh.triangles.push_back({t[1], t[2], t[0]});
+  EXPECT_THAT(checkedMesh(mesh).fault,
+              StartsWith("mesh triangles must differ, got one twice, with a corner at [-0.5 -0.5"));
+}
+
 TEST(CheckedMesh, NamesNeighboursThatAreOrientedInconsistently) {
   TriangleMesh mesh = cube();
   std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);
