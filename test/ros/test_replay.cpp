@@ -75,6 +75,14 @@ class Replay : public ::testing::Test {
                                   [f](const boost::shared_ptr<const Message>& m) { f(*m); })));
   }
 
+  bool isComplete(const ros::Time& stamp) const {
+    const auto has = [&](const auto& messages, const char* body) {
+      return messages.count({body, stamp}) > 0;
+    };
+    return states.count(stamp) > 0 && has(odometry, "box") && has(odometry, "canary") &&
+           has(applied, "box") && has(applied, "canary");
+  }
+
   /// Until every topic is heard; then starts time over.
   void connect() {
     AppliedWrench nothing;
@@ -86,9 +94,7 @@ class Replay : public ::testing::Test {
     ASSERT_TRUE(NodeDriver::waitFor([&] {
       call<Step>("step", steps(1));
       call<ApplyWrench>("apply_wrench", request);
-      return !inputs.empty() && !states.empty() && odometry.size() >= 2 && applied.size() >= 2 &&
-             odometry.count({"box", states.rbegin()->first}) > 0 &&
-             odometry.count({"canary", states.rbegin()->first}) > 0;
+      return !inputs.empty() && !states.empty() && isComplete(states.rbegin()->first);
     }));
     call<std_srvs::Trigger>("reset", {});
     ASSERT_TRUE(NodeDriver::waitFor([&] { return inputs.back().kind == Input::RESTART; }));
@@ -159,10 +165,7 @@ TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
   }
   call<std_srvs::SetBool>("pause", flag(true));
   const ros::Time end = call<Step>("step", steps(50)).stamp;
-  ASSERT_TRUE(NodeDriver::waitFor([&] {
-    return states.count(end) > 0 && odometry.count({"box", end}) > 0 &&
-           odometry.count({"canary", end}) > 0 && applied.count({"canary", end}) > 0;
-  }));
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return isComplete(end); }));
   EXPECT_GT(inputs.size(), 100U);
 
   const std::string recorded = ::testing::TempDir() + "replay_recorded.bag";
