@@ -49,11 +49,12 @@ and momentum were kept.
   --time-step S      in place of the scene's [s]
   --tolerance X      in place of the scene's, with integrator auto only
   --csv FILE|-       a row for each body and sample; - is the standard output
-  --bag FILE         the topics that the node publishes, with the stamps of a clock from zero; not
-                     ~inputs, which come in, nor ~status and /diagnostics, which tell of wall time
-  --wrench-bag FILE  repeats the run of a node, to the last bit, by the inputs that a bag has
-                     recorded of its topic inputs; without that topic, the wrench messages of the
-                     bag at the times of the bag
+  --bag FILE         the topics on the bodies that a node with publish_clock publishes, stamped from
+                     zero on; without ~inputs, and without ~status and /diagnostics, which report
+                     wall time
+  --wrench-bag FILE  repeats the last run in the recorded topic ~inputs of a node, to the last bit;
+                     from a bag without that topic, applies its wrench messages at their times in
+                     the bag
   --help             this text
 
 CSV columns: time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz: position of the body frame's origin
