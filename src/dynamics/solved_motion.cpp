@@ -16,8 +16,9 @@ bool isModest(const Body& body) {
   return body.mass > 1 / kModest && body.mass < kModest && body.I(0) > 1 / kModest;
 }
 
-bool isModest(const BodyState& state) {
-  return isModest(state.x_W) && isModest(state.p_W) && isModest(state.L_W);
+double finiteFor(const BodyState& state) {
+  const double most = state.x_W.lpNorm<1>() + state.p_W.lpNorm<1>() + state.L_W.lpNorm<1>();
+  return most < kModest ? kModestTime : 0;
 }
 
 bool isModest(const HeldWrench& wrench) {
@@ -32,18 +33,14 @@ bool isModest(const HeldWrench& wrench) {
          std::all_of(wrench.pulls.begin(), wrench.pulls.end(), pull);
 }
 
-double finiteFor(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
-                 const BodyState& state) {
-  const bool modest = isModest(body) && isModest(wrench) && isModest(g_W) && isModest(state);
-  return modest ? kModestTime : 0;
-}
-
 }  // namespace
 
 SolvedMotion::SolvedMotion(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
                            double t, const BodyState& state, double horizon,
                            const ErrorBound& bound)
-    : anchor_(t), motion_(TaylorPointer()) {
+    : anchor_(t),
+      modest_(isModest(body) && isModest(wrench) && isModest(g_W)),
+      motion_(TaylorPointer()) {
   if (wrench.torqueFree()) {
     // [rad] the angle is reduced in 64 bits, 5e-20 of it: beyond, 1e-4 rad are lost
     constexpr double kMostTurn = 1e15;
@@ -53,7 +50,7 @@ SolvedMotion::SolvedMotion(const Body& body, const HeldWrench& wrench, const Vec
     motion_ = std::make_shared<TaylorSegment>(body, wrench, g_W, state, horizon, bound);
     valid_until_ = t + std::get<TaylorPointer>(motion_)->validFor();
   }
-  finite_until_ = std::min(valid_until_, t + finiteFor(body, wrench, g_W, state));
+  findFiniteUntil(state);
 }
 
 void SolvedMotion::anchorAnew(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
@@ -67,7 +64,11 @@ void SolvedMotion::anchorAnew(const Body& body, const HeldWrench& wrench, const 
   (*segment)->startAnew(wrench, state, horizon);
   anchor_ = t;
   valid_until_ = t + (*segment)->validFor();
-  finite_until_ = std::min(valid_until_, t + finiteFor(body, wrench, g_W, state));
+  findFiniteUntil(state);
+}
+
+void SolvedMotion::findFiniteUntil(const BodyState& start) {
+  finite_until_ = std::min(valid_until_, anchor_ + (modest_ ? finiteFor(start) : 0));
 }
 
 BodyState SolvedMotion::at(double t) const {

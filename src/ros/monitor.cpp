@@ -32,8 +32,9 @@ void Monitor::report(const Simulation& simulation, const RunFigures& figures,
   const std::chrono::duration<double> elapsed = now - last_report_;
   const double advanced = simulation.time() - last_t_;
   restart(simulation.time(), now);
-  health_.new_overruns = figures.overruns - last_overruns_;
-  last_overruns_ = figures.overruns;
+  const auto overruns = static_cast<std::uint64_t>(figures.overruns);
+  health_.new_overruns = overruns - last_overruns_;
+  last_overruns_ = overruns;
   if (!isHeard()) return;
 
   health_.status = toSimStatus(simulation, figures);

@@ -34,11 +34,14 @@ class SolvedMotion {
   BodyState at(double t) const;
 
  private:
+  void findFiniteUntil(const BodyState& start);
+
   using TaylorPointer = std::shared_ptr<TaylorSegment>;  // changed only while no copy shares it
 
   double anchor_;
   double valid_until_;
   double finite_until_;
+  bool modest_;  // whether body and wrench are far from what overflows
   std::variant<FreeFlight, TaylorPointer> motion_;
 };
 
