@@ -110,15 +110,20 @@ RIGID_BODY_SIM_INLINE void evaluate(const TaylorSeries<T>& series, bool turned, 
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) void expandWide(const TaylorEquations<double>& equations,
-                                                bool turned, std::size_t degree,
-                                                TaylorSeries<double>& series) {
+// clang 14 spills wide registers to a stack that it has not aligned for them, unless it is told to
+#if defined(__clang__)
+#define RIGID_BODY_SIM_WIDE __attribute__((target("avx2"), force_align_arg_pointer))
+#else
+#define RIGID_BODY_SIM_WIDE __attribute__((target("avx2")))
+#endif
+RIGID_BODY_SIM_WIDE void expandWide(const TaylorEquations<double>& equations, bool turned,
+                                    std::size_t degree, TaylorSeries<double>& series) {
   expandAsAsked(equations, turned, degree, series);
 }
 
-__attribute__((target("avx2"))) void evaluateWide(const TaylorSeries<double>& series, bool turned,
-                                                  std::size_t degree, double s,
-                                                  TaylorIncrements<double>& increments) {
+RIGID_BODY_SIM_WIDE void evaluateWide(const TaylorSeries<double>& series, bool turned,
+                                      std::size_t degree, double s,
+                                      TaylorIncrements<double>& increments) {
   evaluate(series, turned, degree, s, increments);
 }
 
