@@ -23,7 +23,7 @@ const std::vector<Method>& catalogue() {
       {"blanes_moan6",        6, 0, 14, 1.6, 56,   kGeometric,           kCoupling, blanesMoan6Step},
       {"kahan_li8",           8, 8, 17, 0.8, 15,   kGeometric,           kCoupling, kahanLi8Step},
       {"dop853",              8, 8, 12, 1.6,  7.7, 0,                    kAll,      dop853Step},
-      {"taylor",             16, 16, 1, kAnyTurn, 5.8, kSolves | kKeepsFreeL, 0,    taylorStep},
+      {"taylor",             16, 16, 1, kAnyTurn, 2.1, kSolves | kKeepsFreeL, 0,    taylorStep},
   };
   // clang-format on
   return rows;

@@ -61,7 +61,7 @@ void Group::restart(double t, std::vector<WrenchSchedule>& schedules) {
 
 double Group::foreseenUntil(const std::vector<WrenchSchedule>& schedules) const {
   if (!solved_) return -std::numeric_limits<double>::infinity();
-  return std::min(solved_->finiteUntil(), schedules[members_[0]].nextEvent());
+  return std::min(solved_->finiteUntil(states_[0]), schedules[members_[0]].nextEvent());
 }
 
 void Group::putForeseen(double t, std::vector<BodyState>& bodies) const {

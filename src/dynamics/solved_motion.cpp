@@ -16,9 +16,8 @@ bool isModest(const Body& body) {
   return body.mass > 1 / kModest && body.mass < kModest && body.I(0) > 1 / kModest;
 }
 
-double finiteFor(const BodyState& state) {
-  const double most = state.x_W.lpNorm<1>() + state.p_W.lpNorm<1>() + state.L_W.lpNorm<1>();
-  return most < kModest ? kModestTime : 0;
+bool isModest(const BodyState& state) {
+  return isModest(state.x_W) && isModest(state.p_W) && isModest(state.L_W);
 }
 
 bool isModest(const HeldWrench& wrench) {
@@ -50,7 +49,6 @@ SolvedMotion::SolvedMotion(const Body& body, const HeldWrench& wrench, const Vec
     motion_ = std::make_shared<TaylorSegment>(body, wrench, g_W, state, horizon, bound);
     valid_until_ = t + std::get<TaylorPointer>(motion_)->validFor();
   }
-  findFiniteUntil(state);
 }
 
 void SolvedMotion::anchorAnew(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
@@ -64,11 +62,10 @@ void SolvedMotion::anchorAnew(const Body& body, const HeldWrench& wrench, const 
   (*segment)->startAnew(wrench, state, horizon);
   anchor_ = t;
   valid_until_ = t + (*segment)->validFor();
-  findFiniteUntil(state);
 }
 
-void SolvedMotion::findFiniteUntil(const BodyState& start) {
-  finite_until_ = std::min(valid_until_, anchor_ + (modest_ ? finiteFor(start) : 0));
+double SolvedMotion::finiteUntil(const BodyState& state) const {
+  return modest_ && isModest(state) ? std::min(valid_until_, anchor_ + kModestTime) : anchor_;
 }
 
 BodyState SolvedMotion::at(double t) const {

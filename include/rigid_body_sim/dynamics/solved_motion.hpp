@@ -23,9 +23,9 @@ class SolvedMotion {
   /// [s] the time up to which the solution holds; NaN where the motion is not finite.
   double validUntil() const { return valid_until_; }
 
-  /// [s] the time up to which, moreover, all of it is finite for certain; the anchor where the
-  /// numbers are so large that only evaluation tells.
-  double finiteUntil() const { return finite_until_; }
+  /// [s] the time up to which, moreover, all of it is finite for certain, by one of its states; the
+  /// anchor where the numbers are so large that only evaluation tells.
+  double finiteUntil(const BodyState& state) const;
 
   /// Whether the body turns freely: then another anchor at validUntil() would not help it.
   bool isFree() const { return std::holds_alternative<FreeFlight>(motion_); }
@@ -34,13 +34,10 @@ class SolvedMotion {
   BodyState at(double t) const;
 
  private:
-  void findFiniteUntil(const BodyState& start);
-
   using TaylorPointer = std::shared_ptr<TaylorSegment>;  // changed only while no copy shares it
 
   double anchor_;
   double valid_until_;
-  double finite_until_;
   bool modest_;  // whether body and wrench are far from what overflows
   std::variant<FreeFlight, TaylorPointer> motion_;
 };
