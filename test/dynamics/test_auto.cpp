@@ -117,6 +117,8 @@ TEST(Auto, HoldsItsToleranceWhereTheMotionQuickensAfterTheTrialHasEnded) {
   bench.addCentralGravity(0, {0, 0, 0}, 1, false);
   Simulation sim = bench.simulation("auto", 1e-4);
   ASSERT_TRUE(sim.groups()[0].choice().cut_short);
+  while (sim.steps() < 100) sim.step();
+  EXPECT_FALSE(sim.groups()[0].choice().controlled);  // which is dearer
   while (sim.steps() < 100000) sim.step();
   EXPECT_TRUE(sim.groups()[0].choice().controlled);
   // by the closed form, as an independent program evaluates it, to the digits that are given
@@ -125,21 +127,44 @@ TEST(Auto, HoldsItsToleranceWhereTheMotionQuickensAfterTheTrialHasEnded) {
 
 // dop853 divides a step that is long beside the orbit by itself; two runs in the same parts agree.
 TEST(Auto, HoldsItsToleranceWhereAStepIsLongBesideTheOrbit) {
-  constexpr double kStep = 0.01;
+  constexpr double kStep = 0.01, kRadius = 2;
   for (double turn_a_step : {0.3, 1.0, 2.0, 3.0, 10.0}) {
     const double w = turn_a_step / kStep;
     Bench bench;
-    BodyFrameMotion motion = tumbling({0, w, 0}, {0, 0, 0});
-    motion.x_W = {1, 0, 0};
+    BodyFrameMotion motion = tumbling({0, kRadius * w, 0}, {0, 0, 0});
+    motion.x_W = {kRadius, 0, 0};
     bench.add(principalBody("moon", 1, {1, 1, 1}), motion);
-    bench.addCentralGravity(0, {0, 0, 0}, w * w, false);
+    bench.addCentralGravity(0, {0, 0, 0}, w * w * std::pow(kRadius, 3), false);
     bench.world.solver.horizon = 1;
     Simulation sim = bench.simulation("auto", kStep);
     while (sim.steps() < 100) sim.step();
-    const Vector3d circle(std::cos(w), std::sin(w), 0);
-    // w metres flown; the phase is known to w roundings
-    EXPECT_LT((sim.state().bodies[0].x_W - circle).norm(), 1e-9 * w) << turn_a_step;
+    const Vector3d circle(kRadius * std::cos(w), kRadius * std::sin(w), 0);
+    // of the path flown; the phase is known to w roundings
+    EXPECT_LT((sim.state().bodies[0].x_W - circle).norm(), 1e-9 * kRadius * w) << turn_a_step;
+    // divided for the orbit, not by dop853 when its estimates show
+    EXPECT_GE(sim.groups()[0].choice().parts, turn_a_step) << turn_a_step;
   }
+}
+
+// Where a spring of some length is passed closely, its direction turns faster than it is stiff.
+// dop853 sees that by its estimates, and divides all steps alike, however many a trial asks for.
+TEST(Auto, HoldsItsToleranceWhereASpringIsPassedClosely) {
+  Bench bench;
+  BodyFrameMotion motion = tumbling({10, 0, 0}, {0, 0, 0});
+  motion.x_W = {-1, 0.05, 0};
+  bench.add(principalBody("ball", 1, {1, 1, 1}), motion);
+  bench.addSpring({kWorld, {0, 0, 0}}, {0, {0, 0, 0}}, {40, 0, 1});
+  bench.world.solver.horizon = 0.4;
+  expectHeld(bench.simulation("auto", 0.1), 0.4, referenceRun(bench, 0.4), "passed");
+}
+
+TEST(Auto, GoesOnByEstimatesWhereAWrenchStartsBeyondTheHorizon) {
+  Bench bench = hangingBox();
+  bench.world.wrenches = {push(1, 2)};
+  bench.world.solver.horizon = 1;
+  const Simulation sim = bench.simulation("auto", 0.01);
+  ASSERT_FALSE(sim.groups()[0].choice().cut_short);
+  expectHeld(sim, 3, referenceRun(bench, 3), "beyond");
 }
 
 // The estimate comes from a run at twice the step: the errors of both are controlled alike.
