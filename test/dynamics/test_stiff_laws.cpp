@@ -166,6 +166,23 @@ Bench chain(std::size_t balls, std::int64_t& count) {
   return bench;
 }
 
+// strang follows 0.8 rad a part; a rod in the gradient swings √3 times as fast as it orbits.
+TEST(CentralGravity, DividesAStepThatIsLongBesideTheOrbit) {
+  for (const double radius : {0.5, 2.0}) {
+    for (const bool gradient : {false, true}) {
+      constexpr double kTurn = 3;  // [rad] of a circular orbit in a step of 1 s
+      Bench bench;
+      BodyFrameMotion motion = tumbling({0, kTurn * radius, 0}, {0, 0, 0});
+      motion.x_W = {radius, 0, 0};
+      bench.add(principalBody("moon", 1, {1, 1, 1}), motion);
+      bench.addCentralGravity(0, {0, 0, 0}, kTurn * kTurn * std::pow(radius, 3), gradient);
+      Simulation sim = bench.simulation("strang", 1);
+      sim.step();
+      EXPECT_EQ(sim.mostParts(), gradient ? 7 : 4) << radius;  // 3 / 0.8, and 3 √3 / 0.8
+    }
+  }
+}
+
 TEST(Chain, OfAThousandBodiesAsksEachSpringOnceAnEvaluation) {
   for (std::size_t balls : {10u, 1000u}) {
     std::int64_t count = 0;
