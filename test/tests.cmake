@@ -43,6 +43,7 @@ rigid_body_gtest(test_dynamics
     test/dynamics/test_methods.cpp
     test/dynamics/test_stiff_laws.cpp
     test/dynamics/test_simulation.cpp
+    test/dynamics/test_simulation_wrenches.cpp
     test/dynamics/test_wrench.cpp
     test/dynamics/test_wrench_schedule.cpp
   LIBRARIES rigid_body_sim_core)

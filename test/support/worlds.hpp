@@ -76,6 +76,20 @@ inline Bench complexBox() {
   return bench;
 }
 
+inline Bench restingBox() {
+  Bench bench;
+  bench.add(principalBody("box", 2, {1, 2, 2.5}), BodyFrameMotion());
+  return bench;
+}
+
+inline PointWrench worldForce(const Vector3d& force, double start, double end) {
+  PointWrench push;
+  push.force = force;
+  push.start = start;
+  push.end = end;
+  return push;
+}
+
 /// Box 1 × 0.5 × 0.25 m of 2 kg under gravity, pushed by a wrench of the given axes and place; at
 /// full strength it spins the box up to some 60 rad/s in a second.
 inline Bench pushedBox(std::size_t axes, std::size_t point_frame, double strength = 1) {

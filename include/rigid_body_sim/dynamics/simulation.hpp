@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -128,6 +129,7 @@ class Simulation {
   // Bound on the work of each of auto's trial runs, in steps of one body: tenths of a second.
   static constexpr double kMostTrialSteps = 3e5;
   static constexpr double kFullTrials = 10;  // groups that may take so much; more of them share it
+  static constexpr double kNotForeseen = -std::numeric_limits<double>::infinity();
 
   template <class... Meter>
   void stepBy(bool foreseen_too, Meter&... meter);
@@ -164,7 +166,7 @@ class Simulation {
   std::int64_t steps_ = 0;
   std::vector<WrenchSchedule> schedules_;  // one per body
   std::vector<Group> groups_;
-  std::vector<double> foreseen_until_;  // Group's, index by index; infinite past: not known
+  std::vector<double> foreseen_until_;  // Group's, index by index; or kNotForeseen
   std::vector<std::size_t> advanced_;   // groups that a step advances; used inside it
   std::vector<std::size_t> scheduled_;  // bodies with an event within a step; used inside it
   int most_parts_ = 1;                  // of groups that are no more
