@@ -99,6 +99,16 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"_scene_file:=absent.yaml", "absent.yaml: cannot be opened"},
         Refusal{"_scene:='time_step: -1'", "parameter ~scene:1: "}));
 
+TEST(Node, RefusesAnArgumentThatIsNotForIt) {
+  for (const char* argument : {"scene.yaml", "--bogus"}) {
+    const Outcome run = runNode(argument + std::string(" " SCENE));
+    EXPECT_EQ(run.exit_code, 2) << argument;
+    EXPECT_NE(run.out.find(std::string("unknown argument '") + argument + "'"), std::string::npos)
+        << run.out;
+    EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1) << run.out;
+  }
+}
+
 TEST(Node, ExitsWithThreeWhenTheSimulationDiverges) {
   const std::string scene = sceneFile(R"(
 time_step: 1.0
