@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/dynamics/describe_solution.hpp>
+
 #include "support/method_cases.hpp"
 
 namespace rigid_body_sim {
@@ -117,6 +119,8 @@ TEST(Auto, HoldsItsToleranceWhereTheMotionQuickensAfterTheTrialHasEnded) {
   bench.addCentralGravity(0, {0, 0, 0}, 1, false);
   Simulation sim = bench.simulation("auto", 1e-4);
   ASSERT_TRUE(sim.groups()[0].choice().cut_short);
+  EXPECT_NE(describeSolution(sim)[0].find(" s on dop853 by its own estimates"), std::string::npos)
+      << describeSolution(sim)[0];
   while (sim.steps() < 100) sim.step();
   EXPECT_FALSE(sim.groups()[0].choice().controlled);  // which is dearer
   while (sim.steps() < 100000) sim.step();
