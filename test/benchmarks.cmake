@@ -1,23 +1,29 @@
+# A program with a name of its own, as benchmarks and the map of the extremes are.
+function(rigid_body_sim_benchmark name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  set(target rigid_body_sim_${name})
+  add_executable(${target} ${ARG_SOURCES})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
+  target_include_directories(${target} PRIVATE test)
+  target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} rigid_body_sim_options)
+endfunction()
+
 # Programs that print a table; they need nothing else.
 foreach(name long_run many step_cost)
-  add_executable(benchmark_${name} test/benchmark/${name}.cpp)
-  target_include_directories(benchmark_${name} PRIVATE src test)
-  target_link_libraries(benchmark_${name} PRIVATE rigid_body_sim_core rigid_body_compile_options)
+  rigid_body_sim_benchmark(benchmark_${name}
+    SOURCES test/benchmark/${name}.cpp LIBRARIES rigid_body_sim_core)
 endforeach()
 # the map of the extremes: scripts/extremes
-add_executable(extremes test/extremes/extremes.cpp)
-target_link_libraries(extremes PRIVATE rigid_body_extremes rigid_body_compile_options)
+rigid_body_sim_benchmark(extremes
+  SOURCES test/extremes/extremes.cpp LIBRARIES rigid_body_sim_extremes)
+# counted, not timed: scripts/count_instructions
+rigid_body_sim_benchmark(instructions
+  SOURCES test/benchmark/instructions.cpp LIBRARIES rigid_body_sim_core)
 include(test/benchmark/peers.cmake)
 find_package(benchmark)
-# counted, not timed: scripts/count_instructions
-add_executable(instructions test/benchmark/instructions.cpp)
-target_include_directories(instructions PRIVATE test)
-target_link_libraries(instructions PRIVATE rigid_body_sim_core rigid_body_compile_options)
 if(benchmark_FOUND)
   foreach(name mesh_mass rotor taylor)
-    add_executable(benchmark_${name} test/benchmark/${name}.cpp)
-    target_include_directories(benchmark_${name} PRIVATE test)
-    target_link_libraries(benchmark_${name} PRIVATE
-      rigid_body_sim_scene rigid_body_compile_options benchmark::benchmark)
+    rigid_body_sim_benchmark(benchmark_${name}
+      SOURCES test/benchmark/${name}.cpp LIBRARIES rigid_body_sim_scene benchmark::benchmark)
   endforeach()
 endif()

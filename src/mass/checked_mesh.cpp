@@ -6,8 +6,8 @@
 
 #include <rigid_body_sim/mass/checked_mesh.hpp>
 
-#include "edge_fault.hpp"
-#include "merged_vertices.hpp"
+#include "mass/edge_fault.hpp"
+#include "mass/merged_vertices.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "edge_fault.hpp"
+#include "mass/edge_fault.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "merged_vertices.hpp"
+#include "mass/merged_vertices.hpp"
 
 #include <cstring>
 #include <limits>

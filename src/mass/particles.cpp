@@ -1,6 +1,7 @@
 #include <rigid_body_sim/mass/particles.hpp>
-#include <rigid_body_sim/math/compensated_sum.hpp>
 #include <rigid_body_sim/math/hat.hpp>
+
+#include "math/compensated_sum.hpp"
 
 namespace rigid_body_sim {
 

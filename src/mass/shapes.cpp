@@ -1,5 +1,6 @@
 #include <rigid_body_sim/mass/shapes.hpp>
-#include <rigid_body_sim/math/wide.hpp>
+
+#include "math/wide.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -1,5 +1,6 @@
 #include <rigid_body_sim/mass/triangle_mesh.hpp>
-#include <rigid_body_sim/math/compensated_sum.hpp>
+
+#include "math/compensated_sum.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -1,10 +1,11 @@
+#include "math/gauss_legendre.hpp"
+
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 
-#include <rigid_body_sim/math/gauss_legendre.hpp>
-#include <rigid_body_sim/math/wide.hpp>
+#include "math/wide.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "formatted.hpp"
+#include "programs/formatted.hpp"
 
 #include <cstdarg>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "package_directory.hpp"
+#include "programs/package_directory.hpp"
 
 #include <algorithm>
 #include <vector>

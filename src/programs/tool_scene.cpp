@@ -1,8 +1,8 @@
-#include "tool_scene.hpp"
+#include "programs/tool_scene.hpp"
 
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "package_directory.hpp"
+#include "programs/package_directory.hpp"
 
 namespace rigid_body_sim {
 

@@ -1,4 +1,4 @@
-#include "usage.hpp"
+#include "programs/usage.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -11,7 +11,7 @@
 
 #include <getopt.h>
 
-#include <rigid_body_sim/scene/limits.hpp>
+#include "scene/limits.hpp"
 
 namespace rigid_body_sim {
 

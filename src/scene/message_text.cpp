@@ -1,7 +1,7 @@
+#include "scene/message_text.hpp"
+
 #include <algorithm>
 #include <sstream>
-
-#include <rigid_body_sim/scene/message_text.hpp>
 
 namespace rigid_body_sim {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "support/worlds.hpp"
-#include "tools/cpu_time.hpp"
+#include "tools/trade/cpu_time.hpp"
 
 // Where the rows for conservative motion earn their place: the energy error against the processor
 // time that it takes, for a body that swings on a spring, and for one held in a net of 64 springs,

@@ -4,7 +4,7 @@
 
 #include "support/random_bodies.hpp"
 #include "support/worlds.hpp"
-#include "tools/cpu_time.hpp"
+#include "tools/trade/cpu_time.hpp"
 
 // Many bodies that do not interact, under gravity, at a step of 1 ms: millions of steps of one body
 // in a second of processor time. States are read at every step, or at every tenth as by a node that

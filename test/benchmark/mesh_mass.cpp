@@ -6,8 +6,8 @@
 #include <benchmark/benchmark.h>
 
 #include <rigid_body_sim/mass/checked_mesh.hpp>
-#include <rigid_body_sim/scene/read_mesh.hpp>
 
+#include "scene/meshes/read_mesh.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/mesh_texts.hpp"
 #include "support/triangulations.hpp"

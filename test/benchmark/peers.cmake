@@ -1,19 +1,17 @@
 # benchmark_peers: ours beside those engines that are installed; extremes_engines: they in the cells
 # of the map of the extremes. None of them is a dependency of the package; Debian's packages:
 # libboost-dev libbullet-dev libode-dev libdart-dev libsimbody-dev.
-add_executable(benchmark_peers
-  test/benchmark/peers.cpp test/benchmark/peers_engines.cpp test/benchmark/peers_ours.cpp)
-target_include_directories(benchmark_peers PRIVATE src test)
-target_link_libraries(benchmark_peers PRIVATE rigid_body_sim_core rigid_body_compile_options)
-add_executable(extremes_engines
-  test/benchmark/peers_engines.cpp test/extremes/apart.cpp test/extremes/engines.cpp)
-target_include_directories(extremes_engines PRIVATE src)
-target_link_libraries(extremes_engines PRIVATE rigid_body_extremes rigid_body_compile_options)
+rigid_body_sim_benchmark(benchmark_peers
+  SOURCES test/benchmark/peers.cpp test/benchmark/peers_engines.cpp test/benchmark/peers_ours.cpp
+  LIBRARIES rigid_body_sim_core)
+rigid_body_sim_benchmark(extremes_engines
+  SOURCES test/benchmark/peers_engines.cpp test/extremes/apart.cpp test/extremes/engines.cpp
+  LIBRARIES rigid_body_sim_extremes)
 
-function(rigid_body_peer name)
+function(rigid_body_sim_peer name)
   cmake_parse_arguments(ARG "" "" "INCLUDES;LIBRARIES" ${ARGN})
   message(STATUS "benchmark_peers: with ${name}")
-  foreach(program benchmark_peers extremes_engines)
+  foreach(program rigid_body_sim_benchmark_peers rigid_body_sim_extremes_engines)
     target_sources(${program} PRIVATE test/benchmark/peers_${name}.cpp)
     target_include_directories(${program} SYSTEM PRIVATE ${ARG_INCLUDES})
     target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES})
@@ -22,7 +20,7 @@ endfunction()
 
 find_package(Boost QUIET)
 if(Boost_FOUND)
-  rigid_body_peer(odeint INCLUDES ${Boost_INCLUDE_DIRS})
+  rigid_body_sim_peer(odeint INCLUDES ${Boost_INCLUDE_DIRS})
   # for this very processor, fused multiply-adds included; its own headers do not pass our warnings
   set_source_files_properties(test/benchmark/peers_odeint.cpp PROPERTIES COMPILE_OPTIONS
     "-O3;-march=native;-ffp-contract=fast;-Wno-uninitialized;-Wno-maybe-uninitialized")
@@ -35,7 +33,7 @@ find_library(BULLET_COLLISION_LIBRARY BulletCollision-float64)
 find_library(BULLET_MATH_LIBRARY LinearMath-float64)
 if(BULLET_INCLUDE_DIR AND BULLET_DYNAMICS_LIBRARY AND BULLET_COLLISION_LIBRARY
    AND BULLET_MATH_LIBRARY)
-  rigid_body_peer(bullet INCLUDES ${BULLET_INCLUDE_DIR}
+  rigid_body_sim_peer(bullet INCLUDES ${BULLET_INCLUDE_DIR}
     LIBRARIES ${BULLET_DYNAMICS_LIBRARY} ${BULLET_COLLISION_LIBRARY} ${BULLET_MATH_LIBRARY})
   set_source_files_properties(test/benchmark/peers_bullet.cpp PROPERTIES
     COMPILE_DEFINITIONS BT_USE_DOUBLE_PRECISION)
@@ -44,16 +42,16 @@ endif()
 find_path(ODE_INCLUDE_DIR ode/ode.h)
 find_library(ODE_LIBRARY ode)
 if(ODE_INCLUDE_DIR AND ODE_LIBRARY)
-  rigid_body_peer(ode INCLUDES ${ODE_INCLUDE_DIR} LIBRARIES ${ODE_LIBRARY})
+  rigid_body_sim_peer(ode INCLUDES ${ODE_INCLUDE_DIR} LIBRARIES ${ODE_LIBRARY})
 endif()
 
 find_path(DART_INCLUDE_DIR dart/dart.hpp)
 find_library(DART_LIBRARY dart)
 if(DART_INCLUDE_DIR AND DART_LIBRARY)
-  rigid_body_peer(dart INCLUDES ${DART_INCLUDE_DIR} LIBRARIES ${DART_LIBRARY})
+  rigid_body_sim_peer(dart INCLUDES ${DART_INCLUDE_DIR} LIBRARIES ${DART_LIBRARY})
 endif()
 
 find_package(Simbody QUIET)
 if(Simbody_FOUND)
-  rigid_body_peer(simbody INCLUDES ${Simbody_INCLUDE_DIR} LIBRARIES ${Simbody_LIBRARIES})
+  rigid_body_sim_peer(simbody INCLUDES ${Simbody_INCLUDE_DIR} LIBRARIES ${Simbody_LIBRARIES})
 endif()

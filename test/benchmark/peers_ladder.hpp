@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "benchmark/peers.hpp"
-#include "tools/cpu_time.hpp"
+#include "tools/trade/cpu_time.hpp"
 
 namespace rigid_body_sim::peers {
 

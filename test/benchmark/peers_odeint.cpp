@@ -3,7 +3,7 @@
 #include <boost/numeric/odeint.hpp>
 
 #include "benchmark/peers.hpp"
-#include "tools/cpu_time.hpp"
+#include "tools/trade/cpu_time.hpp"
 
 // What a user of odeint would write in an afternoon: position, velocity, quaternion, angular
 // velocity in body axes, and a plain right-hand side.

@@ -1,10 +1,10 @@
 #include "benchmark/peers_ours.hpp"
 
-#include <rigid_body_sim/dynamics/rotor.hpp>
 #include <rigid_body_sim/dynamics/simulation.hpp>
-#include <rigid_body_sim/dynamics/taylor_segment.hpp>
 
-#include "tools/cpu_time.hpp"
+#include "dynamics/rotation/rotor.hpp"
+#include "dynamics/taylor/taylor_segment.hpp"
+#include "tools/trade/cpu_time.hpp"
 
 namespace rigid_body_sim::peers {
 namespace {

@@ -1,8 +1,8 @@
+#include "dynamics/rotation/rotor.hpp"
+
 #include <vector>
 
 #include <benchmark/benchmark.h>
-
-#include <rigid_body_sim/dynamics/rotor.hpp>
 
 #include "support/body_families.hpp"
 

@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <vector>
 
-#include <rigid_body_sim/dynamics/catalogue.hpp>
 #include <rigid_body_sim/mass/shapes.hpp>
 
-#include "tools/cpu_time.hpp"
+#include "dynamics/methods/catalogue.hpp"
+#include "tools/trade/cpu_time.hpp"
 
 // What a step of each row costs, for one box under one force held at a body point: the numbers of
 // Method::cost, relative to strang's.

@@ -3,9 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rigid_body_sim/dynamics/taylor_segment.hpp>
 #include <rigid_body_sim/mass/shapes.hpp>
 
+#include "dynamics/taylor/taylor_segment.hpp"
 #include "support/random_bodies.hpp"
 
 // The cost of Taylor segments: one by kind of wrench, with and without a look at its end; a change

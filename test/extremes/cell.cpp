@@ -4,8 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <rigid_body_sim/dynamics/rotor.hpp>
-
+#include "dynamics/rotation/rotor.hpp"
 #include "support/reference_free_rotation.hpp"
 
 namespace rigid_body_sim::extremes {

@@ -6,8 +6,8 @@
 
 #include <rigid_body_sim/mass/checked_mesh.hpp>
 
-#include "scene/read_obj.hpp"
-#include "scene/read_stl.hpp"
+#include "scene/meshes/read_obj.hpp"
+#include "scene/meshes/read_stl.hpp"
 
 /// The bytes of a mesh file, after a first byte that says of which format, give a solid or are
 /// refused in one line.

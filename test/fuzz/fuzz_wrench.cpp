@@ -8,14 +8,14 @@
 #include <console_bridge/console.h>
 #include <ros/serialization.h>
 
-#include <rigid_body_sim/dynamics/wrench_schedule.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "static_frames.hpp"
+#include "dynamics/wrenches/wrench_schedule.hpp"
+#include "ros/inputs/static_frames.hpp"
+#include "ros/inputs/wrench_intake.hpp"
+#include "ros/inputs/wrench_messages.hpp"
 #include "support/lopsided_box.hpp"
-#include "wrench_intake.hpp"
-#include "wrench_messages.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/math/compensated_sum.hpp>
 #include <rigid_body_sim/math/types.hpp>
+
+#include "math/compensated_sum.hpp"
 
 namespace rigid_body_sim {
 

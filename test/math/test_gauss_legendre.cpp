@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/math/gauss_legendre.hpp>
+#include "math/gauss_legendre.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "arrow_markers.hpp"
-#include "conversions.hpp"
-#include "trail.hpp"
+#include "ros/messages/conversions.hpp"
+#include "ros/outputs/arrow_markers.hpp"
+#include "ros/outputs/trail.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "conversions.hpp"
+#include "ros/messages/conversions.hpp"
 
 namespace rigid_body_sim {
 namespace {

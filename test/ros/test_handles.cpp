@@ -3,9 +3,9 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "arrow_markers.hpp"
-#include "conversions.hpp"
-#include "handles.hpp"
+#include "ros/messages/conversions.hpp"
+#include "ros/mouse/handles.hpp"
+#include "ros/outputs/arrow_markers.hpp"
 
 namespace rigid_body_sim {
 namespace {

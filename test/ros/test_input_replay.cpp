@@ -6,10 +6,10 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "conversions.hpp"
-#include "input_messages.hpp"
-#include "input_replay.hpp"
-#include "state_requests.hpp"
+#include "ros/inputs/input_messages.hpp"
+#include "ros/inputs/input_replay.hpp"
+#include "ros/messages/conversions.hpp"
+#include "ros/node/state_requests.hpp"
 #include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {

@@ -5,8 +5,8 @@
 
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "markers.hpp"
-#include "shape_markers.hpp"
+#include "ros/outputs/markers.hpp"
+#include "ros/outputs/shape_markers.hpp"
 
 namespace rigid_body_sim {
 namespace {

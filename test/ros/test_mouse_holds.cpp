@@ -5,7 +5,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "mouse_holds.hpp"
+#include "ros/mouse/mouse_holds.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
-#include "mouse_spring.hpp"
+#include "ros/mouse/mouse_spring.hpp"
 
 namespace rigid_body_sim {
 namespace {

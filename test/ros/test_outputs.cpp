@@ -9,7 +9,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "outputs.hpp"
+#include "ros/outputs/outputs.hpp"
 #include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "pacer.hpp"
-#include "ticker.hpp"
+#include "ros/clock/pacer.hpp"
+#include "ros/outputs/ticker.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "refusals.hpp"
+#include "ros/node/refusals.hpp"
 
 namespace rigid_body_sim {
 

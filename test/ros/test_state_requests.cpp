@@ -6,8 +6,8 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "conversions.hpp"
-#include "state_requests.hpp"
+#include "ros/messages/conversions.hpp"
+#include "ros/node/state_requests.hpp"
 #include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {

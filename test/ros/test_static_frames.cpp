@@ -3,8 +3,8 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "conversions.hpp"
-#include "static_frames.hpp"
+#include "ros/inputs/static_frames.hpp"
+#include "ros/messages/conversions.hpp"
 #include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {

@@ -5,7 +5,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "status.hpp"
+#include "ros/node/status.hpp"
 
 namespace rigid_body_sim {
 namespace {

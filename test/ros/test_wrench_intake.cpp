@@ -6,9 +6,9 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "ros/inputs/wrench_intake.hpp"
+#include "ros/inputs/wrench_messages.hpp"
 #include "support/lopsided_box.hpp"
-#include "wrench_intake.hpp"
-#include "wrench_messages.hpp"
 
 namespace rigid_body_sim {
 namespace {

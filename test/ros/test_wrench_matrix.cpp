@@ -9,10 +9,10 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "conversions.hpp"
-#include "static_frames.hpp"
-#include "wrench_intake.hpp"
-#include "wrench_messages.hpp"
+#include "ros/inputs/static_frames.hpp"
+#include "ros/inputs/wrench_intake.hpp"
+#include "ros/inputs/wrench_messages.hpp"
+#include "ros/messages/conversions.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "wrench_messages.hpp"
+#include "ros/inputs/wrench_messages.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/dynamics/catalogue.hpp>
-
+#include "dynamics/methods/catalogue.hpp"
 #include "scene_texts.hpp"
 
 namespace rigid_body_sim {

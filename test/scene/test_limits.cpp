@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
-#include <rigid_body_sim/scene/limits.hpp>
 
+#include "scene/limits.hpp"
 #include "scene_texts.hpp"
 
 namespace rigid_body_sim {

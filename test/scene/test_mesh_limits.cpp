@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/mass/checked_mesh.hpp>
-#include <rigid_body_sim/scene/limits.hpp>
-#include <rigid_body_sim/scene/read_mesh.hpp>
-#include <rigid_body_sim/scene/read_urdf.hpp>
 
+#include "scene/limits.hpp"
+#include "scene/meshes/read_mesh.hpp"
+#include "scene/readers/read_urdf.hpp"
 #include "support/mesh_texts.hpp"
 #include "support/temporary_directory.hpp"
 #include "support/triangulations.hpp"

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/mass/checked_mesh.hpp>
-#include <rigid_body_sim/scene/check_scene.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
-#include <rigid_body_sim/scene/read_mesh.hpp>
 
+#include "scene/build/check_scene.hpp"
+#include "scene/meshes/read_mesh.hpp"
 #include "support/mass_difference.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/mesh_texts.hpp"

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/scene/check_scene.hpp>
-
+#include "scene/build/check_scene.hpp"
 #include "scene_texts.hpp"
 #include "support/mass_difference.hpp"
 

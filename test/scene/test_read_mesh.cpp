@@ -12,8 +12,8 @@
 #include <unistd.h>
 
 #include <rigid_body_sim/mass/checked_mesh.hpp>
-#include <rigid_body_sim/scene/read_mesh.hpp>
 
+#include "scene/meshes/read_mesh.hpp"
 #include "support/mass_difference.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/mesh_texts.hpp"

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/scene/check_scene.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
-#include <rigid_body_sim/scene/read_urdf.hpp>
-#include <rigid_body_sim/scene/visuals_of.hpp>
 
+#include "scene/build/check_scene.hpp"
+#include "scene/build/visuals_of.hpp"
+#include "scene/readers/read_urdf.hpp"
 #include "support/mass_difference.hpp"
 #include "support/temporary_directory.hpp"
 

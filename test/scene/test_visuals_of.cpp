@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/scene/check_scene.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
-#include <rigid_body_sim/scene/visuals_of.hpp>
 
+#include "scene/build/check_scene.hpp"
+#include "scene/build/visuals_of.hpp"
 #include "support/mass_difference.hpp"
 
 namespace rigid_body_sim {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <rigid_body_sim/dynamics/rotor.hpp>
-
+#include "dynamics/rotation/rotor.hpp"
 #include "support/body_families.hpp"
 #include "support/reference_free_rotation.hpp"
 

@@ -5,8 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include <rigid_body_sim/dynamics/taylor_segment.hpp>
-
+#include "dynamics/taylor/taylor_segment.hpp"
 #include "support/applied_load.hpp"
 #include "support/random_bodies.hpp"
 #include "support/reference_motion.hpp"

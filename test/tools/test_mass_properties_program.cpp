@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <rigid_body_sim/scene/check_scene.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
-#include <rigid_body_sim/scene/read_urdf.hpp>
 
+#include "scene/build/check_scene.hpp"
+#include "scene/readers/read_urdf.hpp"
 #include "support/mass_difference.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/mesh_texts.hpp"

@@ -21,7 +21,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "conversions.hpp"
+#include "ros/messages/conversions.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace rigid_body_sim {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <rigid_body_sim/dynamics/balance.hpp>
-#include <rigid_body_sim/dynamics/group.hpp>
+#include "dynamics/run/balance.hpp"
+#include "dynamics/run/group.hpp"
 
 namespace rigid_body_sim {
 

@@ -3,8 +3,6 @@
 #include <stdexcept>
 #include <string>
 
-#include <rigid_body_sim/scene/message_text.hpp>
-
 namespace rigid_body_sim {
 
 /// A scene that cannot be simulated as it is written. what() is one line: file, line, place, key,
@@ -12,11 +10,10 @@ namespace rigid_body_sim {
 ///   scenes/top.yaml:12: body 'top': mass must be > 0 kg, got -1
 class SceneError : public std::runtime_error {
  public:
-  explicit SceneError(const std::string& message) : std::runtime_error(oneLine(message)) {}
+  explicit SceneError(const std::string& message);
 
   /// line 0: none to name.
-  SceneError(const std::string& source, int line, const std::string& message)
-      : SceneError(source + (line > 0 ? ":" + std::to_string(line) : "") + ": " + message) {}
+  SceneError(const std::string& source, int line, const std::string& message);
 };
 
 }  // namespace rigid_body_sim

@@ -1,6 +1,5 @@
-#include <rigid_body_sim/dynamics/free_flight.hpp>
-
-#include "kick_drift.hpp"
+#include "dynamics/methods/kick_drift.hpp"
+#include "dynamics/rotation/free_flight.hpp"
 
 namespace rigid_body_sim {
 

@@ -2,9 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include <rigid_body_sim/dynamics/catalogue.hpp>
-
-#include "dop853_coefficients.hpp"
+#include "dynamics/methods/catalogue.hpp"
+#include "dynamics/methods/dop853_coefficients.hpp"
 
 namespace rigid_body_sim {
 namespace {

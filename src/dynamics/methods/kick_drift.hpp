@@ -2,9 +2,10 @@
 
 #include <array>
 
-#include <rigid_body_sim/dynamics/catalogue.hpp>
 #include <rigid_body_sim/dynamics/drag.hpp>
-#include <rigid_body_sim/dynamics/free_motion.hpp>
+
+#include "dynamics/methods/catalogue.hpp"
+#include "dynamics/rotation/free_motion.hpp"
 
 /// Methods made of kicks (impulses at fixed place and attitude) and drifts (motion without
 /// wrenches) in turn. They differ in their coefficients and in how the rotation drifts.

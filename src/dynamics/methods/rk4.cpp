@@ -1,6 +1,6 @@
 #include <array>
 
-#include <rigid_body_sim/dynamics/catalogue.hpp>
+#include "dynamics/methods/catalogue.hpp"
 
 namespace rigid_body_sim {
 

@@ -1,4 +1,4 @@
-#include "kick_drift.hpp"
+#include "dynamics/methods/kick_drift.hpp"
 
 namespace rigid_body_sim {
 

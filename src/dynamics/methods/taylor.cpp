@@ -1,5 +1,5 @@
-#include <rigid_body_sim/dynamics/catalogue.hpp>
-#include <rigid_body_sim/dynamics/taylor_segment.hpp>
+#include "dynamics/methods/catalogue.hpp"
+#include "dynamics/taylor/taylor_segment.hpp"
 
 namespace rigid_body_sim {
 

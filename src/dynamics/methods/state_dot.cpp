@@ -1,0 +1,52 @@
+#include "dynamics/methods/state_dot.hpp"
+
+#include "dynamics/rotation/free_motion.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// L × ω by differences of moments: where two of them are equal, nothing is left for rounding to
+/// blow up over the small moment of a needle.
+Vector3d gyroscopicTorque(const Vector3d& I, const Vector3d& w) {
+  return {(I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1]};
+}
+
+}  // namespace
+
+BodyStateDot stateDot(const Body& body, const BodyState& state, const Wrench& wrench) {
+  const Vector3d w_P = angularVelocity(body.inv_I, state.L_P);
+  const Quaterniond half_w(0, 0.5 * w_P.x(), 0.5 * w_P.y(), 0.5 * w_P.z());
+  BodyStateDot dot;
+  dot.x_dot_W = state.p_W / body.mass;
+  dot.q_dot = product(state.q_WP, half_w).coeffs();
+  dot.p_dot_W = wrench.f_W;
+  dot.L_dot_P = gyroscopicTorque(body.I, w_P) + rotateBack(state.q_WP, wrench.tau_W) + wrench.tau_P;
+  return dot;
+}
+
+void accumulate(const BodyStateDot& dot, double weight, BodyStateDot& sum) {
+  sum.x_dot_W += weight * dot.x_dot_W;
+  sum.q_dot += weight * dot.q_dot;
+  sum.p_dot_W += weight * dot.p_dot_W;
+  sum.L_dot_P += weight * dot.L_dot_P;
+}
+
+BodyState stagePoint(const BodyState& state, const BodyStateDot& dot, double h) {
+  BodyState next = state;
+  next.x_low_W += h * dot.x_dot_W;
+  next.q_WP.coeffs() += h * dot.q_dot;
+  next.p_W += h * dot.p_dot_W;
+  next.L_P += h * dot.L_dot_P;
+  return next;
+}
+
+BodyState stepEnd(const BodyState& state, const BodyStateDot& dot, double h) {
+  BodyState next = stagePoint(state, dot, h);
+  next.x_low_W = state.x_low_W;
+  moveBy(Vector3d(h * dot.x_dot_W), next);
+  next.q_WP.normalize();
+  next.L_W = rotate(next.q_WP, next.L_P);
+  return next;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <rigid_body_sim/dynamics/state.hpp>
+
+#include "dynamics/rotation/rotor.hpp"
+
+namespace rigid_body_sim {
+
+/// The motion of a body without torque under a constant force fixed in the world, from a start on:
+/// a parabola and the exact free rotation. Any time is one evaluation, nothing accumulates.
+///   x = x₀ + (p₀/m) t + (f/m) t²/2,   p = p₀ + f t,   L = L₀
+class FreeFlight {
+ public:
+  /// f_W [N]: gravity included. start.q_WP must be a unit quaternion.
+  FreeFlight(const Body& body, const Vector3d& f_W, const BodyState& start);
+
+  /// The state dt [s] after the start.
+  BodyState at(double dt) const;
+
+ private:
+  BodyState start_;
+  Vector3d f_W_;
+  double mass_;
+  FreeRotation<double> rotation_;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <variant>
+
+#include "dynamics/rotation/asymmetric_rotation.hpp"
+#include "dynamics/rotation/symmetric_rotation.hpp"
+
+namespace rigid_body_sim {
+
+/// How many principal moments of a body are equal, to the last bit.
+enum class InertiaKind { spherical, symmetric, asymmetric };
+
+/// The free rotation of a body from one instant on: all that is constant along the motion, worked
+/// out once; any later or earlier time is one evaluation, and nothing accumulates.
+template <class T>
+class FreeRotation {
+ public:
+  using Motion = std::variant<SteadyRotation<T>, SymmetricRotation<T>, SeparatrixRotation<T>,
+                              AsymmetricRotation<T>>;
+  explicit FreeRotation(Motion motion) : motion_(std::move(motion)) {}
+
+  /// The rotation dt [s] after the anchor, of either sign and any size. The angular momentum in
+  /// world axes is constant and not part of the answer.
+  RotationState<T> at(T dt) const {
+    return std::visit([dt](const auto& motion) { return motion.at(dt); }, motion_);
+  }
+
+ private:
+  Motion motion_;
+};
+
+/// The exact free rotation that a body's inertia permits, the cheapest one, chosen when the world
+/// is built: spherical, one rotation about L; symmetric, two rotations; asymmetric, Jacobi elliptic
+/// functions. Derivation and sources: doc/derivations/free_rotation.md.
+///
+/// Of the two accounts of the angular momentum, L_P gives the direction and L_W the magnitude (see
+/// AngularMomentum). The axis of precession is R(q_WP) L_P, so that the motion starts exactly at
+/// q_WP; where it differs from L_W it does so by rounding, and goes on differing by no more.
+template <class T>
+class Rotor {
+ public:
+  /// Principal moments I [kg m²], ascending, all > 0.
+  explicit Rotor(const Vector3<T>& I);
+
+  InertiaKind kind() const { return kind_; }
+
+  /// The motion of the body that at dt = 0 has attitude q_WP (unit) and angular momentum
+  /// [kg m²/s] L_P in principal axes, L_W = R(q_WP) L_P in world axes.
+  FreeRotation<T> from(const Quaternion<T>& q_WP, const Vector3<T>& L_P,
+                       const Vector3<T>& L_W) const;
+
+ private:
+  InertiaKind kind_;
+  ScaledInertia<T> inertia_;
+};
+
+extern template class Rotor<double>;
+extern template class Rotor<long double>;
+
+}  // namespace rigid_body_sim

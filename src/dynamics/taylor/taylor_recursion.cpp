@@ -1,0 +1,175 @@
+#include "dynamics/taylor/taylor_recursion.hpp"
+
+#include <type_traits>
+
+#include "dynamics/taylor/lanes.hpp"
+#include "dynamics/taylor/taylor_products.hpp"
+#include "dynamics/taylor/taylor_pull.hpp"
+#include "dynamics/taylor/taylor_terms.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+template <class T, bool kPulled>
+decltype(auto) pullOf(const TaylorEquations<T>& equations) {
+  if constexpr (kPulled)
+    return *equations.pull;
+  else
+    return 0;
+}
+
+template <class T, bool kTurned, bool kPulled>
+RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size_t degree,
+                                  TaylorSeries<T>& series) {
+  Lanes<T> gyroscopic, steady;
+  load<T>(equations.gyroscopic, gyroscopic);
+  load<T>(equations.steady, steady);
+  std::conditional_t<kPulled, PullRecursion<T>, int> pull(pullOf<T, kPulled>(equations));
+  Arranged<T> arranged;
+  Products<T> p{};
+  Lanes<T> w, q;
+  load<T>(series.w[0], w);
+  load<T>(series.q[0], q);
+  arranged.add(0, w, q);
+  const NewestTurn<T> turn(w, arranged);
+  const Turning<T> turning(equations, q);
+  for (std::size_t k = 0; k < degree; ++k) {
+    const T inverse = kInverse<T>[k + 1];
+    if (k > 0) arranged.add(k, w, q);
+    p.template sum<kTurned>(arranged, series, k);
+    Lanes<T> w_dot = p.ww + arranged.w_yzx[0] * arranged.w_zxy[k];
+    if (k > 0) w_dot += arranged.w_yzx[k] * arranged.w_zxy[0];
+    w_dot = gyroscopic * w_dot;
+    if constexpr (kTurned) {
+      Lanes<T> older, newest;
+      turning.older(p, older);
+      turning.newest(q, k, newest);
+      if (k == 0) older += steady;
+      w_dot = older + (w_dot + newest);
+      p.addNewest(arranged, k);
+      store<T>(p.squares * inverse, series.squares[k + 1]);
+      store<T>(p.crosses * inverse, series.crosses[k + 1]);
+      store<T>(p.turns * inverse, series.turns[k + 1]);
+    }
+    if constexpr (kPulled) {
+      const Vector3<T> extra = pull.accelerationOf(k, p.squares, p.crosses, p.turns);
+      for (int i = 0; i < 3; ++i) w_dot[i] += extra[i];
+      pull.integral(k, series.pull[k + 1]);
+    }
+    Lanes<T> q_dot;
+    turn.q_dot(arranged, p, w, k, q_dot);
+    w = w_dot * inverse;
+    q = q_dot * inverse;
+    store<T>(w, series.w[k + 1]);
+    store<T>(q, series.q[k + 1]);
+  }
+}
+
+template <class T>
+RIGID_BODY_SIM_INLINE void expandAsAsked(const TaylorEquations<T>& equations, bool turned,
+                                         std::size_t degree, TaylorSeries<T>& series) {
+  if (equations.pull)
+    expand<T, true, true>(equations, degree, series);
+  else if (turned)
+    expand<T, true, false>(equations, degree, series);
+  else
+    expand<T, false, false>(equations, degree, series);
+}
+
+/// Horner's rule without the constant term.
+template <class T>
+RIGID_BODY_SIM_INLINE void evaluate(const TaylorSeries<T>& series, bool turned, std::size_t degree,
+                                    T s, TaylorIncrements<T>& increments) {
+  Lanes<T> w, q, squares, crosses, turns;
+  load<T>(series.w[degree], w);
+  load<T>(series.q[degree], q);
+  Lanes<T> c = w;  // or GCC warns where it instruments for threads
+  for (std::size_t k = degree - 1; k > 0; --k) {
+    load<T>(series.w[k], c);
+    w = c + w * s;
+    load<T>(series.q[k], c);
+    q = c + q * s;
+  }
+  store<T>(w * s, increments.w);
+  store<T>(q * s, increments.q);
+  if (!turned) return;
+  load<T>(series.squares[degree], squares);
+  load<T>(series.crosses[degree], crosses);
+  load<T>(series.turns[degree], turns);
+  for (std::size_t k = degree - 1; k > 0; --k) {
+    load<T>(series.squares[k], c);
+    squares = c + squares * s;
+    load<T>(series.crosses[k], c);
+    crosses = c + crosses * s;
+    load<T>(series.turns[k], c);
+    turns = c + turns * s;
+  }
+  store<T>(squares * s, increments.squares);
+  store<T>(crosses * s, increments.crosses);
+  store<T>(turns * s, increments.turns);
+}
+
+#if defined(__x86_64__)
+// clang 14 spills wide registers to a stack that it has not aligned for them, unless it is told to
+#if defined(__clang__)
+#define RIGID_BODY_SIM_WIDE __attribute__((target("avx2"), force_align_arg_pointer))
+#else
+#define RIGID_BODY_SIM_WIDE __attribute__((target("avx2")))
+#endif
+RIGID_BODY_SIM_WIDE void expandWide(const TaylorEquations<double>& equations, bool turned,
+                                    std::size_t degree, TaylorSeries<double>& series) {
+  expandAsAsked(equations, turned, degree, series);
+}
+
+RIGID_BODY_SIM_WIDE void evaluateWide(const TaylorSeries<double>& series, bool turned,
+                                      std::size_t degree, double s,
+                                      TaylorIncrements<double>& increments) {
+  evaluate(series, turned, degree, s, increments);
+}
+
+bool hasWideLanes() {
+  static const bool has = __builtin_cpu_supports("avx2");
+  return has;
+}
+#endif
+
+}  // namespace
+
+template <class T>
+void expandTaylorNarrow(const TaylorEquations<T>& equations, bool turned, std::size_t degree,
+                        TaylorSeries<T>& series) {
+  expandAsAsked(equations, turned, degree, series);
+}
+
+template <class T>
+void expandTaylor(const TaylorEquations<T>& equations, bool turned, std::size_t degree,
+                  TaylorSeries<T>& series) {
+#if defined(__x86_64__)
+  if constexpr (std::is_same_v<T, double>)
+    if (hasWideLanes()) return expandWide(equations, turned, degree, series);
+#endif
+  expandAsAsked(equations, turned, degree, series);
+}
+
+template <class T>
+void evaluateTaylor(const TaylorSeries<T>& series, bool turned, std::size_t degree, T s,
+                    TaylorIncrements<T>& increments) {
+#if defined(__x86_64__)
+  if constexpr (std::is_same_v<T, double>)
+    if (hasWideLanes()) return evaluateWide(series, turned, degree, s, increments);
+#endif
+  evaluate(series, turned, degree, s, increments);
+}
+
+template void expandTaylor(const TaylorEquations<double>&, bool, std::size_t,
+                           TaylorSeries<double>&);
+template void expandTaylor(const TaylorEquations<long double>&, bool, std::size_t,
+                           TaylorSeries<long double>&);
+template void expandTaylorNarrow(const TaylorEquations<double>&, bool, std::size_t,
+                                 TaylorSeries<double>&);
+template void evaluateTaylor(const TaylorSeries<double>&, bool, std::size_t, double,
+                             TaylorIncrements<double>&);
+template void evaluateTaylor(const TaylorSeries<long double>&, bool, std::size_t, long double,
+                             TaylorIncrements<long double>&);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,65 @@
+#include "ros/clock/timekeeper.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include <ros/console.h>
+#include <ros/init.h>
+
+namespace rigid_body_sim {
+
+Timekeeper::Timekeeper(const NodeOptions& options, const ros::NodeHandle& nh,
+                       ros::CallbackQueue& queue)
+    : options_(options),
+      pacer_(options.follow_clock ? 0 : options.real_time_factor),
+      clock_(options.follow_clock ? std::make_unique<ClockFollower>(nh) : nullptr),
+      origin_(findStart(queue)) {}
+
+TimeOrigin Timekeeper::findStart(ros::CallbackQueue& queue) const {
+  if (options_.publish_clock) return {ros::Time()};
+  if (options_.start_time) return {ros::Time(*options_.start_time)};
+  if (clock_) {
+    waitForClock(queue);
+    return {clock_->now()};
+  }
+  const ros::WallTime now = ros::WallTime::now();
+  return {ros::Time(now.sec, now.nsec)};
+}
+
+void Timekeeper::waitForClock(ros::CallbackQueue& queue) const {
+  constexpr std::chrono::seconds kSilence(1);
+  const Pacer::Clock::time_point begin = Pacer::Clock::now();
+  bool told = false;
+  while (!clock_->isHeard()) {
+    if (!ros::ok()) throw std::runtime_error("shut down before /clock was heard");
+    queue.callAvailable(ros::WallDuration(kLongestWait));
+    if (told || Pacer::Clock::now() - begin < kSilence) continue;
+    told = true;
+    ROS_WARN(
+        "waiting for /clock: /use_sim_time is true, ~publish_clock false, and nobody sends it; "
+        "topics and services come up once it is heard");
+  }
+}
+
+void Timekeeper::restart(double t) { pacer_.restart(t, Pacer::Clock::now()); }
+
+double Timekeeper::untilDue(double t) const {
+  if (clock_) return isAhead(t) ? kLongestWait : 0;
+  return std::min(pacer_.wait(t, Pacer::Clock::now()), kLongestWait);
+}
+
+bool Timekeeper::isAhead(double t) const { return clock_ && origin_.stamp(t) > clock_->now(); }
+
+void Timekeeper::begin(double t, double h) {
+  if (!clock_) return pacer_.begin(t, h, Pacer::Clock::now());
+  if (origin_.stamp(t) <= clock_->before()) ++left_behind_;
+}
+
+bool Timekeeper::takeSetBack() {
+  if (!clock_ || !clock_->takeSetBack()) return false;
+  if (!options_.start_time) origin_.start = clock_->now();
+  return true;
+}
+
+}  // namespace rigid_body_sim

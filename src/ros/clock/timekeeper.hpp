@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+
+#include "ros/clock/clock_follower.hpp"
+#include "ros/clock/pacer.hpp"
+#include "ros/messages/conversions.hpp"
+#include "ros/node/node_options.hpp"
+
+namespace rigid_body_sim {
+
+/// Which stamps the steps bear, and when they are due: by the wall as the Pacer ties it to
+/// simulation time, or by the clock of another node, as soon as that has reached the stamp. Such a
+/// clock is never passed; a step that it has left behind is taken at once, and none is dropped.
+class Timekeeper {
+ public:
+  /// Waits for a clock that is followed from where it is first heard, and says so after a second:
+  /// before, there is no stamp to give and no start to count from. The queue, which outlives this,
+  /// is that of the handle. Throws std::runtime_error when ROS shuts down while it waits.
+  Timekeeper(const NodeOptions& options, const ros::NodeHandle& nh, ros::CallbackQueue& queue);
+
+  const TimeOrigin& origin() const { return origin_; }
+
+  /// Ties the wall to simulation time t [s].
+  void restart(double t);
+
+  /// Wall time [s], below the longest wait, until it is worth asking again whether the step that
+  /// reaches t [s] is due; not above 0: it is.
+  double untilDue(double t) const;
+
+  /// Whether t [s] lies ahead of a clock that is followed.
+  bool isAhead(double t) const;
+
+  /// The step from t − h to t begins now. Late is one that begins later than by its own length, or,
+  /// with a clock that is followed, after the clock has been heard again since it was due.
+  void begin(double t, double h);
+
+  /// Whether a clock that is followed has been set back since this was asked last, and simulation
+  /// time with it: to its start, which lies where the clock is now unless start_time says where.
+  bool takeSetBack();
+
+  std::int64_t overruns() const { return pacer_.overruns() + left_behind_; }
+
+  /// Longest wait for a callback [s]: how soon a shutdown is seen.
+  static constexpr double kLongestWait = 0.05;
+
+ private:
+  TimeOrigin findStart(ros::CallbackQueue& queue) const;
+  void waitForClock(ros::CallbackQueue& queue) const;
+
+  NodeOptions options_;
+  Pacer pacer_;
+  std::unique_ptr<ClockFollower> clock_;  // null unless it is another's
+  TimeOrigin origin_;
+  std::int64_t left_behind_ = 0;  // steps, by a clock that is followed
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <visualization_msgs/InteractiveMarkerFeedback.h>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+#include "ros/inputs/inputs.hpp"
+#include "ros/mouse/mouse_spring.hpp"
+#include "ros/mouse/pose_history.hpp"
+
+namespace rigid_body_sim {
+
+/// The bodies that viewers hold by their handles (toHandles), and the springs that pull them. A
+/// body is held by the viewer that pressed last, at the point that was pressed.
+class MouseHolds {
+ public:
+  /// wrench_timeout [s of simulation time]: how long a body is pulled without feedback; 0: for
+  /// ever.
+  MouseHolds(const Simulation& simulation, Inputs& inputs, double wrench_timeout);
+
+  /// Takes what a viewer says: a button pressed on a handle, the handle dragged or kept where it
+  /// is, the button released. Returns the fault of feedback that is refused and changes nothing:
+  /// for an unknown handle, in a frame other than the body's, or for a pull that is not finite.
+  std::string take(const visualization_msgs::InteractiveMarkerFeedback& feedback);
+
+  /// Applies, for the step to come, the pull on every body that is held, each in a slot of its own.
+  /// Returns the fault of a pull that the simulation refuses; its body is let go.
+  std::string pull();
+
+  /// Forgets that a body is held, empty: any body; its wrenches are left to the caller. A handle
+  /// that is still being dragged does nothing until it is pressed again.
+  void letGo(const std::string& body);
+
+ private:
+  struct Hold {
+    std::string client;  // of the viewer
+    Vector3d point_B;    // [m]
+    MouseSpring spring;
+    double until = 0;  // [s] the pull ends, unless there is feedback before
+    PoseHistory poses;
+  };
+  using Feedback = visualization_msgs::InteractiveMarkerFeedback;
+
+  std::string press(std::size_t body, const Feedback& feedback);
+  std::string drag(Hold& hold, const Feedback& feedback);
+  std::string pull(Hold& hold);
+  void release(std::size_t body);
+  void note(Hold& hold) const;
+
+  const Simulation& simulation_;
+  Inputs& inputs_;
+  double wrench_timeout_;
+  std::map<std::string, std::size_t> moving_bodies_;  // by name
+  std::map<std::size_t, Hold> holds_;                 // by body
+};
+
+}  // namespace rigid_body_sim

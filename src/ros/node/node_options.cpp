@@ -1,0 +1,158 @@
+#include "ros/node/node_options.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include <ros/names.h>
+#include <ros/param.h>
+#include <ros/this_node.h>
+
+#include "scene/message_text.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+std::string quoted(XmlRpcValue value) {
+  std::ostringstream text;
+  if (value.getType() == XmlRpcValue::TypeBoolean)
+    text << std::boolalpha << static_cast<bool&>(value);
+  else
+    value.write(text);
+  return "'" + printable(text.str()) + "'";
+}
+
+[[noreturn]] void refuse(const std::string& name, const XmlRpcValue& value,
+                         const std::string& rule) {
+  throw ParameterError("parameter ~" + name + ": must be " + rule + ", got " + quoted(value));
+}
+
+std::string readText(const std::string& name, XmlRpcValue value) {
+  if (value.getType() != XmlRpcValue::TypeString || static_cast<std::string&>(value).empty())
+    refuse(name, value, "a string that is not empty");
+  return static_cast<std::string&>(value);
+}
+
+std::string readPath(const std::string& name, XmlRpcValue value) {
+  if (value.getType() == XmlRpcValue::TypeString &&
+      static_cast<std::string&>(value).find('\n') != std::string::npos)
+    refuse(name, value, "a path; the text of a scene goes to ~scene");
+  return readText(name, std::move(value));
+}
+
+bool readBool(const std::string& name, XmlRpcValue value) {
+  if (value.getType() != XmlRpcValue::TypeBoolean) refuse(name, value, "true or false");
+  return static_cast<bool&>(value);
+}
+
+/// NaN unless the value is a number.
+double number(XmlRpcValue value) {
+  if (value.getType() == XmlRpcValue::TypeInt) return static_cast<int&>(value);
+  if (value.getType() == XmlRpcValue::TypeDouble) return static_cast<double&>(value);
+  return std::nan("");
+}
+
+double readPositive(const std::string& name, XmlRpcValue value) {
+  const double x = number(value);
+  if (!std::isfinite(x) || !(x > 0)) refuse(name, value, "a finite number > 0");
+  return x;
+}
+
+double readNotNegative(const std::string& name, XmlRpcValue value) {
+  const double x = number(value);
+  if (!std::isfinite(x) || !(x >= 0)) refuse(name, value, "a finite number >= 0");
+  return x;
+}
+
+std::optional<double> readTime(const std::string& name, XmlRpcValue value) {
+  constexpr double kLatest = std::numeric_limits<std::uint32_t>::max();  // of ros::Time
+  const double x = number(value);
+  if (!(x >= 0) || !(x <= kLatest)) refuse(name, value, "a time >= 0 s that ROS can tell");
+  return x;
+}
+
+using Reader = std::function<void(const std::string& name, const XmlRpcValue&, NodeOptions&)>;
+
+template <class T>
+Reader into(T NodeOptions::*field, T (*read)(const std::string&, XmlRpcValue)) {
+  return [=](const std::string& name, const XmlRpcValue& value, NodeOptions& options) {
+    options.*field = read(name, value);
+  };
+}
+
+const std::map<std::string, Reader>& readers() {
+  static const std::map<std::string, Reader> table{
+      {"clock_rate", into(&NodeOptions::clock_rate, readPositive)},
+      {"publish_clock", into(&NodeOptions::publish_clock, readBool)},
+      {"publish_rate", into(&NodeOptions::publish_rate, readPositive)},
+      {"real_time_factor", into(&NodeOptions::real_time_factor, readNotNegative)},
+      {"reset_time", into(&NodeOptions::reset_time, readBool)},
+      {"scene", into(&NodeOptions::scene_text, readText)},
+      {"scene_file", into(&NodeOptions::scene_file, readPath)},
+      {"start_paused", into(&NodeOptions::start_paused, readBool)},
+      {"start_time", into(&NodeOptions::start_time, readTime)},
+      {"wrench_timeout", into(&NodeOptions::wrench_timeout, readNotNegative)},
+  };
+  return table;
+}
+
+std::string knownNames() {
+  std::string names;
+  for (const auto& [name, reader] : readers()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+}  // namespace
+
+NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
+  NodeOptions options;
+  if (parameters.getType() == XmlRpcValue::TypeStruct) {
+    XmlRpcValue copy = parameters;
+    for (const auto& [name, value] : copy) {
+      const auto reader = readers().find(name);
+      if (reader == readers().end())
+        throw ParameterError("parameter ~" + printable(name) + ": unknown, got " + quoted(value) +
+                             "; known: " + knownNames());
+      reader->second(name, value, options);
+    }
+  }
+  if (options.scene_file.empty() == options.scene_text.empty()) {
+    const std::string found = options.scene_file.empty() ? "neither" : "both";
+    throw ParameterError("parameters ~scene_file, ~scene: exactly one must be given, got " + found);
+  }
+  return options;
+}
+
+void settleClock(NodeOptions& options, bool use_sim_time) {
+  options.follow_clock = use_sim_time && !options.publish_clock;
+  if (options.publish_clock && !use_sim_time)
+    refuse("publish_clock", options.publish_clock,
+           "false unless /use_sim_time is true: nobody would follow the clock");
+  if (options.reset_time && !options.publish_clock)
+    refuse("reset_time", options.reset_time,
+           "false unless ~publish_clock is true: stamps would go back while the clock runs on");
+  if (options.follow_clock && options.real_time_factor != 1)
+    refuse("real_time_factor", options.real_time_factor,
+           "1 where ~publish_clock is false and /use_sim_time true: the clock sets the pace");
+  if (options.start_time && !options.follow_clock)
+    refuse("start_time", *options.start_time,
+           "absent unless /use_sim_time is true and ~publish_clock false: no clock is followed");
+}
+
+NodeOptions loadNodeOptions() {
+  XmlRpcValue parameters;
+  ros::param::get(ros::this_node::getName(), parameters);
+  NodeOptions options = toNodeOptions(parameters);
+  bool use_sim_time = false;
+  ros::param::get("/use_sim_time", use_sim_time);
+  settleClock(options, use_sim_time);
+  return options;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,88 @@
+#include "ros/node/status.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "ros/messages/conversions.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+double norm(const geometry_msgs::Vector3& v) { return Vector3d(v.x, v.y, v.z).norm(); }
+
+void addMechanics(const Simulation& simulation, SimStatus& status) {
+  const Totals totals = totalsOf(simulation.world(), simulation.state());
+  status.mechanical_energy = totals.energy;
+  status.momentum = toVector3(totals.momentum);
+  status.angular_momentum = toVector3(totals.angular_momentum);
+  status.work = simulation.exchanged().energy;
+  const Totals balance = simulation.balance();
+  status.energy_balance = balance.energy;
+  status.momentum_balance = toVector3(balance.momentum);
+  status.angular_momentum_balance = toVector3(balance.angular_momentum);
+}
+
+}  // namespace
+
+SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures) {
+  const World& world = simulation.world();
+  SimStatus status;
+  status.time = simulation.time();
+  status.steps = static_cast<std::uint64_t>(simulation.steps());
+  status.overruns = static_cast<std::uint64_t>(figures.overruns);
+  status.refused = static_cast<std::uint64_t>(figures.refused);
+  status.active_wrenches = static_cast<std::uint32_t>(simulation.wrenchCount());
+  status.paused = figures.paused;
+  addMechanics(simulation, status);
+  status.attitude_error = status.position_error = std::numeric_limits<double>::quiet_NaN();
+  if (world.solver.integrator == "auto") {
+    status.attitude_error = simulation.errorEstimate().attitude;
+    status.position_error = simulation.errorEstimate().position;
+  }
+  status.most_parts = static_cast<std::uint32_t>(simulation.mostParts());
+  return status;
+}
+
+bool isWithinTolerance(const ErrorEstimate& error, double time, const SolverOptions& solver) {
+  return solver.integrator != "auto" || time > solver.horizon || error.attitude <= solver.tolerance;
+}
+
+bool holdsTolerance(const Simulation& simulation) {
+  return isWithinTolerance(simulation.errorEstimate(), simulation.time(),
+                           simulation.world().solver) &&
+         std::all_of(simulation.groups().begin(), simulation.groups().end(),
+                     [](const Group& group) { return group.choice().holds; });
+}
+
+void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper& diagnostic) {
+  const SimStatus& status = health.status;
+  diagnostic.summary(DiagnosticStatus::OK, status.paused ? "paused" : "running");
+  if (health.new_overruns > 0)
+    diagnostic.mergeSummaryf(DiagnosticStatus::WARN, "%llu steps began late",
+                             static_cast<unsigned long long>(health.new_overruns));
+  if (status.most_parts > 1)
+    diagnostic.mergeSummaryf(DiagnosticStatus::WARN, "steps are taken in up to %u parts",
+                             status.most_parts);
+  if (!health.holds_tolerance)
+    diagnostic.mergeSummary(DiagnosticStatus::WARN, "the scene's tolerance is not held");
+  if (!health.divergence.empty())
+    diagnostic.summary(DiagnosticStatus::ERROR, "diverged: " + health.divergence);
+
+  diagnostic.add("simulation time [s]", status.time);
+  diagnostic.add("steps", status.steps);
+  diagnostic.add("real-time factor reached", status.real_time_factor);
+  diagnostic.add("overruns", status.overruns);
+  diagnostic.add("inputs refused", status.refused);
+  diagnostic.add("wrenches that act or are to come", status.active_wrenches);
+  diagnostic.add("estimated attitude error [rad]", status.attitude_error);
+  diagnostic.add("estimated position error [m]", status.position_error);
+  diagnostic.add("most parts of a step", status.most_parts);
+  diagnostic.add("energy [J]", status.mechanical_energy);
+  diagnostic.add("energy balance [J]", status.energy_balance);
+  diagnostic.add("momentum balance [kg m/s]", norm(status.momentum_balance));
+  diagnostic.add("angular momentum balance [kg m^2/s]", norm(status.angular_momentum_balance));
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,78 @@
+#include "ros/outputs/arrow_markers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/wide.hpp"
+#include "ros/messages/conversions.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using visualization_msgs::Marker;
+
+constexpr double kStandardGravity = 9.80665;  // [m/s²]
+constexpr double kShortest = 0.1;             // of a body's size
+constexpr double kLongest = 3.0;
+constexpr double kRounding = 1e-12;
+constexpr double kHalfATurn = kPi<double>;  // [rad/s]
+
+/// How one kind of arrow looks.
+struct Kind {
+  const char* name_space;
+  float r, g, b;
+};
+constexpr Kind kForce{"wrench/force", 0.9F, 0.2F, 0.2F};
+constexpr Kind kCouple{"wrench/couple", 0.9F, 0.8F, 0.2F};
+constexpr Kind kAngularMomentum{"motion/angular_momentum", 0.2F, 0.8F, 0.8F};
+
+Marker arrow(const Kind& kind, const Vector3d& tail_W, const Vector3d& along_W, double size) {
+  const double length = along_W.norm();
+  const double thickness = std::min(0.1 * length, 0.04 * size);
+  Marker marker;
+  marker.type = Marker::ARROW;
+  marker.ns = kind.name_space;
+  marker.points = {toPoint(tail_W), toPoint(tail_W + along_W)};
+  marker.pose.orientation.w = 1;
+  marker.scale = toVector3({thickness, 2.5 * thickness, 5 * thickness});  // shaft, head, its length
+  marker.color.r = kind.r;
+  marker.color.g = kind.g;
+  marker.color.b = kind.b;
+  marker.color.a = 1;
+  return marker;
+}
+
+/// Adds the arrow of a vector, `whole` of which is as long as the body.
+void addArrow(const Kind& kind, const Vector3d& tail_W, const Vector3d& v_W, double whole,
+              double size, std::vector<Marker>& arrows) {
+  const double share = v_W.norm() / whole;
+  if (!(share > kRounding)) return;
+  const double length = size * std::clamp(std::sqrt(share), kShortest, kLongest);
+  arrows.push_back(arrow(kind, tail_W, length * v_W.normalized(), size));
+}
+
+}  // namespace
+
+double sizeOf(const Body& body) { return 2 * std::sqrt(5 * body.I.sum() / (6 * body.mass)); }
+
+std::vector<Marker> wrenchArrows(const PointWrench& applied, const std::vector<Body>& bodies,
+                                 const std::vector<BodyState>& states) {
+  const Body& body = bodies[applied.body];
+  const double size = sizeOf(body);
+  const double weight = body.mass * kStandardGravity;
+  const Vector3d point_W = states[applied.body].x_W + armOf(applied, states);
+  std::vector<Marker> arrows;
+  addArrow(kForce, point_W, toWorldAxes(applied, applied.force, states), weight, size, arrows);
+  addArrow(kCouple, point_W, toWorldAxes(applied, applied.torque, states), weight * size / 2, size,
+           arrows);
+  return arrows;
+}
+
+std::vector<Marker> momentumArrows(const Body& body, const BodyState& state) {
+  std::vector<Marker> arrows;
+  addArrow(kAngularMomentum, state.x_W, state.L_W, kHalfATurn * body.I.maxCoeff(), sizeOf(body),
+           arrows);
+  return arrows;
+}
+
+}  // namespace rigid_body_sim

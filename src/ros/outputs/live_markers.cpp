@@ -1,0 +1,98 @@
+#include "ros/outputs/live_markers.hpp"
+
+#include <utility>
+
+#include "ros/outputs/arrow_markers.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+void append(const std::vector<Marker>& more, MarkerArray& all) {
+  all.markers.insert(all.markers.end(), more.begin(), more.end());
+}
+
+/// Numbers the markers within their namespaces. Returns how many there are of each.
+std::map<std::string, int> number(MarkerArray& all) {
+  std::map<std::string, int> count;
+  for (Marker& marker : all.markers) marker.id = count[marker.ns]++;
+  return count;
+}
+
+std::map<std::size_t, Trail> trailsOf(const std::vector<Body>& bodies) {
+  std::map<std::size_t, Trail> trails;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].fixed) continue;
+    const int first_id = static_cast<int>(trails.size()) * Trail::kStrips;
+    trails.emplace(i, Trail(first_id, 0.02 * sizeOf(bodies[i])));
+  }
+  return trails;
+}
+
+}  // namespace
+
+LiveMarkers::LiveMarkers(Topic<MarkerArray> topic, const std::string& world_frame,
+                         const Simulation& simulation)
+    : simulation_(simulation),
+      world_frame_(world_frame),
+      topic_(std::move(topic)),
+      trails_(trailsOf(simulation.world().bodies)) {}
+
+void LiveMarkers::publish(const ros::Time& stamp) {
+  if (!topic_.heard()) {
+    shown_.clear();
+    breakTrails();
+    return;
+  }
+  MarkerArray all = arrows();
+  const std::map<std::string, int> shown = number(all);
+  deleteEnded(shown, all);
+  addTrails(all);
+  shown_ = shown;
+  for (Marker& marker : all.markers) {
+    marker.header.frame_id = world_frame_;
+    marker.header.stamp = stamp;
+  }
+  if (!all.markers.empty()) topic_.publish(all, stamp);
+}
+
+void LiveMarkers::breakTrails() {
+  for (auto& [body, trail] : trails_) trail.breakOff();
+}
+
+MarkerArray LiveMarkers::arrows() const {
+  const std::vector<Body>& bodies = simulation_.world().bodies;
+  const std::vector<BodyState>& states = simulation_.state().bodies;
+  MarkerArray all;
+  for (const auto& [body, trail] : trails_) {
+    for (const PointWrench& applied : simulation_.activeWrenches(body))
+      append(wrenchArrows(applied, bodies, states), all);
+    append(momentumArrows(bodies[body], states[body]), all);
+  }
+  return all;
+}
+
+/// Deletes the arrows shown before beyond those that are shown now.
+void LiveMarkers::deleteEnded(const std::map<std::string, int>& shown, MarkerArray& all) {
+  for (const auto& [name_space, before] : shown_) {
+    const auto now = shown.find(name_space);
+    for (int id = now == shown.end() ? 0 : now->second; id < before; ++id) {
+      Marker marker;
+      marker.action = Marker::DELETE;
+      marker.ns = name_space;
+      marker.id = id;
+      all.markers.push_back(marker);
+    }
+  }
+}
+
+void LiveMarkers::addTrails(MarkerArray& all) {
+  for (auto& [body, trail] : trails_) {
+    const std::optional<Marker> strip = trail.add(simulation_.state().bodies[body].x_W);
+    if (strip) all.markers.push_back(*strip);
+  }
+}
+
+}  // namespace rigid_body_sim

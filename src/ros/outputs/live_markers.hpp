@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+#include "ros/outputs/topic.hpp"
+#include "ros/outputs/trail.hpp"
+
+namespace rigid_body_sim {
+
+/// What changes on ~markers, beside the bodies themselves: arrows of the wrenches that act and of
+/// angular momentum, and the trails of the centres of mass of the moving bodies. Computed while
+/// somebody looks: a trail starts then.
+class LiveMarkers {
+ public:
+  LiveMarkers(Topic<visualization_msgs::MarkerArray> topic, const std::string& world_frame,
+              const Simulation& simulation);
+
+  /// Publishes the state as it is now; nothing without subscribers.
+  void publish(const ros::Time& stamp);
+
+  /// The bodies have been moved: no line joins where they were to where they are.
+  void breakTrails();
+
+ private:
+  visualization_msgs::MarkerArray arrows() const;
+  void deleteEnded(const std::map<std::string, int>& shown, visualization_msgs::MarkerArray& all);
+  void addTrails(visualization_msgs::MarkerArray& all);
+
+  const Simulation& simulation_;
+  std::string world_frame_;
+  Topic<visualization_msgs::MarkerArray> topic_;
+  std::map<std::string, int> shown_;     // arrows by namespace; ids count from 0
+  std::map<std::size_t, Trail> trails_;  // by body
+};
+
+}  // namespace rigid_body_sim

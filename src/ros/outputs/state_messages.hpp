@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include <geometry_msgs/WrenchStamped.h>
+
+#include <rigid_body_sim/BodyStates.h>
+#include <rigid_body_sim/dynamics/world.hpp>
+
+#include "ros/messages/conversions.hpp"
+
+namespace rigid_body_sim {
+
+/// Pose and twist of every body, fixed ones at rest among them, as in odometry.
+BodyStates toBodyStates(const World& world, const State& state, const std::string& world_frame,
+                        const ros::Time& stamp);
+
+/// A wrench on a body in body axes, about the centre of mass:
+///   f_B = R_BP R_WPᵀ f_W,   τ_B = R_BP (R_WPᵀ tau_W + tau_P).
+geometry_msgs::WrenchStamped toWrenchStamped(const Body& body, const BodyState& state,
+                                             const Wrench& wrench, const ros::Time& stamp);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,81 @@
+#include "scene/build/build_laws.hpp"
+
+#include <set>
+#include <string>
+
+#include <rigid_body_sim/dynamics/central_gravity.hpp>
+#include <rigid_body_sim/dynamics/spring.hpp>
+#include <rigid_body_sim/scene/scene_error.hpp>
+
+#include "scene/build/body_names.hpp"
+#include "scene/message_text.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// Makes laws of the entry `forces[index]`, one overload per kind of law.
+class LawBuilder {
+ public:
+  LawBuilder(const Scene& scene, const std::vector<Body>& bodies)
+      : scene_(scene), bodies_(bodies), frames_(scene, bodies) {
+    for (const Body& body : bodies) names_.insert(body.name);
+  }
+
+  ForceLaws build() {
+    for (const ForceDef& force : scene_.forces) {
+      force_ = &force;
+      std::visit([this](const auto& def) { add(def); }, force.law);
+      ++index_;
+    }
+    return std::move(laws_);
+  }
+
+ private:
+  void add(const SpringDef& def) {
+    const Spring::End from = endOf(def.from, "from"), to = endOf(def.to, "to");
+    if (from.body == to.body)
+      fail(force_->line, from.body == kWorld
+                             ? "from and to must not both be fixed in the world"
+                             : "from and to must not be on one body, '" + def.from.body + "'");
+    laws_.push_back(std::make_shared<Spring>(
+        from, to, Spring::Constants{def.stiffness, def.damping, def.rest_length}));
+  }
+
+  /// One law per body that moves.
+  void add(const CentralGravityDef& def) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (!bodies_[i].fixed)
+        laws_.push_back(std::make_shared<CentralGravity>(i, def.center, def.mu, def.gradient));
+    }
+  }
+
+  /// An end on a body that never moves is a point of the world.
+  Spring::End endOf(const SpringEndDef& def, const std::string& key) const {
+    if (def.body.empty()) return {kWorld, def.point};
+    if (names_.count(def.body) == 0)
+      fail(def.line, key + ".body must be one of " + namesOf(bodies_) + ", got '" +
+                         printable(def.body) + "'");
+    const FixedFrame& frame = *frames_.find(def.body);
+    return {frame.body, frame.X_PF * def.point};
+  }
+
+  [[noreturn]] void fail(int line, const std::string& message) const {
+    throw SceneError(scene_.source, line, "forces[" + std::to_string(index_) + "]: " + message);
+  }
+
+  const Scene& scene_;
+  const std::vector<Body>& bodies_;
+  const FrameTable frames_;
+  std::set<std::string> names_;
+  const ForceDef* force_ = nullptr;
+  std::size_t index_ = 0;
+  ForceLaws laws_;
+};
+
+}  // namespace
+
+ForceLaws lawsOf(const Scene& scene, const std::vector<Body>& bodies) {
+  return LawBuilder(scene, bodies).build();
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,83 @@
+#include <cassert>
+#include <stdexcept>
+
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/resolve_wrench.hpp>
+
+#include "dynamics/run/coupling.hpp"
+#include "scene/build/build_laws.hpp"
+#include "scene/build/check_scene.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+Body bodyOf(const BodyDef& def) {
+  Body body = makeBody(def.name, massProperties(def));
+  body.drag = def.drag;
+  body.fixed = def.fixed;
+  return body;
+}
+
+std::vector<PointWrench> wrenchesOf(const Scene& scene, const std::vector<Body>& bodies) {
+  const FrameTable frames(scene, bodies);
+  std::vector<PointWrench> wrenches;
+  for (std::size_t i = 0; i < scene.wrenches.size(); ++i) {
+    const ResolvedWrench resolved = resolveWrench(scene.wrenches[i], bodies, frames);
+    if (!resolved.fault.empty())
+      throw SceneError(scene.source, scene.wrenches[i].line,
+                       "wrenches[" + std::to_string(i) + "]: " + resolved.fault);
+    wrenches.push_back(resolved.wrench);
+  }
+  return wrenches;
+}
+
+/// Refuses an integrator that does not take what acts in the scene.
+void checkIntegrator(const Scene& scene, const World& world) {
+  if (world.solver.integrator == "auto") return;
+  try {
+    requireTaken(world);
+  } catch (const std::invalid_argument& refused) {
+    throw SceneError(scene.source, scene.integrator_line, refused.what());
+  }
+}
+
+BodyFrameMotion motionOf(const BodyDef& def) {
+  BodyFrameMotion motion;
+  motion.x_W = def.position;
+  motion.q_WB = def.orientation;
+  const bool turned = def.twist.in_body_axes;
+  motion.v_W = turned ? rotate(def.orientation, def.twist.linear) : def.twist.linear;
+  motion.w_W = turned ? rotate(def.orientation, def.twist.angular) : def.twist.angular;
+  return motion;
+}
+
+}  // namespace
+
+World buildWorld(const Scene& scene) {
+  checkScene(scene);
+  World world;
+  for (const BodyDef& def : scene.bodies) world.bodies.push_back(bodyOf(def));
+  if (scene.gravity) world.g_W = *scene.gravity;
+  world.wrenches = wrenchesOf(scene, world.bodies);
+  world.laws = lawsOf(scene, world.bodies);
+  world.solver = {scene.integrator, scene.time_step, scene.tolerance, scene.horizon,
+                  scene.tolerance_stated};
+  checkIntegrator(scene, world);
+  return world;
+}
+
+State initialState(const Scene& scene, const World& world) {
+  assert(scene.bodies.size() == world.bodies.size());
+  State state;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const BodyDef& def = scene.bodies[i];
+    state.bodies.push_back(toBodyState(world.bodies[i], motionOf(def)));
+    const BodyState& s = state.bodies.back();
+    if (!(s.x_W.allFinite() && s.p_W.allFinite() && s.L_W.allFinite() && s.L_P.allFinite()))
+      throw SceneError(scene.source, def.line,
+                       "body '" + def.name + "': its position and momenta must be finite");
+  }
+  return state;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <rigid_body_sim/scene/resolve_wrench.hpp>
+
+#include "scene/build/body_names.hpp"
+#include "scene/message_text.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+std::string vectorFault(const char* name, const Vector3d& v) {
+  return v.allFinite() ? "" : std::string(name) + " must be finite, got " + listed(v);
+}
+
+std::string timeFault(const WrenchDef& wrench) {
+  std::ostringstream fault;
+  if (!std::isfinite(wrench.start))
+    fault << "start must be a finite number of s, got " << wrench.start;
+  else if (!(wrench.duration > 0))
+    fault << "duration must be > 0 s, got " << wrench.duration;
+  else if (!(wrench.start + wrench.duration > wrench.start))
+    fault << "duration must be long enough to count beside start " << wrench.start << " s, got "
+          << wrench.duration;
+  return fault.str();
+}
+
+std::string bodyFault(const std::string& name, const std::vector<Body>& bodies,
+                      const FrameTable& frames) {
+  const FixedFrame* frame = frames.find(name);
+  if (frame && frame->body != kWorld && bodies[frame->body].name == name) return "";
+  const auto body =
+      std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
+  if (body == bodies.end())
+    return "unknown body '" + printable(name) + "' (known: " + namesOf(bodies) + ")";
+  return "body '" + name + "' is fixed, no wrench can move it";
+}
+
+std::string frameFault(const char* key, const std::string& name, const FrameTable& frames) {
+  if (frames.find(name)) return "";
+  return std::string("unknown ") + key + " '" + printable(name) + "' (known: " + frames.names() +
+         ")";
+}
+
+/// The first that is not empty.
+std::string firstOf(std::initializer_list<std::string> faults) {
+  for (const std::string& fault : faults) {
+    if (!fault.empty()) return fault;
+  }
+  return "";
+}
+
+std::string finiteFault(const Vector3d& point, const Vector3d& force, const Vector3d& torque) {
+  return firstOf(
+      {vectorFault("point", point), vectorFault("force", force), vectorFault("torque", torque)});
+}
+
+}  // namespace
+
+ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& bodies,
+                             const FrameTable& frames) {
+  const std::string& point_frame = wrench.point_frame.empty() ? wrench.body : wrench.point_frame;
+  ResolvedWrench resolved;
+  resolved.fault =
+      firstOf({bodyFault(wrench.body, bodies, frames), frameFault("frame", wrench.frame, frames),
+               frameFault("point_frame", point_frame, frames),
+               finiteFault(wrench.point, wrench.force, wrench.torque), timeFault(wrench)});
+  if (!resolved.fault.empty()) return resolved;
+
+  const FixedFrame& axes = *frames.find(wrench.frame);
+  const FixedFrame& place = *frames.find(point_frame);
+  PointWrench& applied = resolved.wrench;
+  applied.body = frames.find(wrench.body)->body;
+  applied.axes = axes.body;
+  applied.force = axes.X_PF.linear() * wrench.force;
+  applied.torque = axes.X_PF.linear() * wrench.torque;
+  applied.point_frame = place.body;
+  applied.point = place.X_PF * wrench.point;
+  applied.start = wrench.start;
+  applied.end = wrench.start + wrench.duration;
+  // what is finite in its own frame may not be so in another
+  resolved.fault = finiteFault(applied.point, applied.force, applied.torque);
+  return resolved;
+}
+
+}  // namespace rigid_body_sim

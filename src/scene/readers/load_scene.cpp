@@ -1,0 +1,126 @@
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "dynamics/methods/catalogue.hpp"
+#include "scene/build/check_scene.hpp"
+#include "scene/files/read_file.hpp"
+#include "scene/limits.hpp"
+#include "scene/readers/readers.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// A tf frame name: names joined by slashes, none at the front.
+std::string readWorldFrame(const Entry& value) {
+  const YamlNode& node = value.node();
+  std::size_t first = 0;
+  for (std::size_t end = 0; end != std::string::npos; first = end + 1) {
+    end = node.text.find('/', first);
+    if (!isName(node.text.substr(first, end == std::string::npos ? end : end - first)))
+      value.failRule("must be a frame name [A-Za-z][A-Za-z0-9_]*, parts joined by /");
+  }
+  return node.text;
+}
+
+std::vector<BodyDef> readBodies(const Entry& value) {
+  const std::string rule = "must be a list of at least one body";
+  value.checkCount(kMostBodies, "bodies");
+  std::vector<BodyDef> bodies;
+  for (const Entry& item : value.items(rule)) bodies.push_back(readBody(item));
+  if (bodies.empty()) value.failRule(rule);
+  return bodies;
+}
+
+std::vector<ForceDef> readForces(const Entry& value) {
+  value.checkCount(kMostForces, "laws");
+  std::vector<ForceDef> forces;
+  for (const Entry& item : value.items("must be a list of laws")) forces.push_back(readForce(item));
+  return forces;
+}
+
+std::vector<WrenchDef> readWrenches(const Entry& value) {
+  value.checkCount(Simulation::kMostWrenches, "wrenches");
+  std::vector<WrenchDef> wrenches;
+  for (const Entry& item : value.items("must be a list of wrenches"))
+    wrenches.push_back(readWrench(item));
+  return wrenches;
+}
+
+/// auto, or a row of the catalogue.
+std::string readIntegrator(const Entry& value) {
+  std::string name = readText(value);
+  try {
+    if (name != "auto") methodNamed(name);
+  } catch (const std::invalid_argument& e) {
+    value.fail(e.what());
+  }
+  return name;
+}
+
+void refuseIdleTolerance(const Entry& root, const Scene& scene) {
+  const YamlNode* tolerance = root.node().find("tolerance");
+  if (tolerance && scene.integrator != "auto")
+    root.child(*tolerance)
+        .fail("tolerance goes with integrator auto only, got integrator " + scene.integrator);
+}
+
+/// Time is step count times step.
+void refuseUncountableSteps(const Entry& root, const Scene& scene) {
+  if (scene.horizon / scene.time_step <= kMostSteps) return;
+  std::ostringstream rule;
+  rule << "must divide the horizon of " << scene.horizon << " s into at most 2^53 steps";
+  root.child(*root.node().find("time_step")).failRule(rule.str());
+}
+
+/// The scene in a text; context: as for the whole file.
+Scene readScene(const std::string& yaml_text, ReadContext context) {
+  const std::vector<Key<Scene>> keys = {
+      {"world_frame", [](const Entry& e, Scene& s) { s.world_frame = readWorldFrame(e); }},
+      {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
+      {"time_step", [](const Entry& e, Scene& s) { s.time_step = readPositive(e, "s"); }, true},
+      {"integrator",
+       [](const Entry& e, Scene& s) {
+         s.integrator = readIntegrator(e);
+         s.integrator_line = e.node().line;
+       }},
+      {"tolerance",
+       [](const Entry& e, Scene& s) {
+         s.tolerance = readPositive(e, "");
+         s.tolerance_stated = true;
+       }},
+      {"horizon", [](const Entry& e, Scene& s) { s.horizon = readPositive(e, "s"); }},
+      {"bodies", [](const Entry& e, Scene& s) { s.bodies = readBodies(e); }, true},
+      {"forces", [](const Entry& e, Scene& s) { s.forces = readForces(e); }},
+      {"wrenches", [](const Entry& e, Scene& s) { s.wrenches = readWrenches(e); }},
+  };
+  const YamlNode document = parseYaml(yaml_text, context.source);
+  const Entry root(context, document);
+  Scene scene;
+  scene.source = context.source;
+  readMapping(root, keys, scene);
+  refuseIdleTolerance(root, scene);
+  refuseUncountableSteps(root, scene);
+  scene.notices = std::move(context.notices);
+  checkScene(scene);
+  return scene;
+}
+
+}  // namespace
+
+Scene parseScene(const std::string& yaml_text, const std::string& source_name,
+                 const PackageFinder& find_package) {
+  return readScene(yaml_text, {source_name, "", find_package, {}, {}});
+}
+
+Scene loadScene(const std::string& path, const PackageFinder& find_package) {
+  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
+  return readScene(readFile(path, "scene file", kMostSceneBytes),
+                   {path, directory, find_package, {}, {}});
+}
+
+}  // namespace rigid_body_sim

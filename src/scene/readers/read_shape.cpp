@@ -1,0 +1,62 @@
+#include "scene/readers/readers.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// Three lengths > 0.
+Vector3d readSize(const Entry& value) {
+  const std::string rule = "must be a list of 3 numbers [m]";
+  const std::vector<Entry> items = value.items(rule);
+  if (items.size() != 3) value.failRule(rule);
+  return {readPositive(items[0], "m"), readPositive(items[1], "m"), readPositive(items[2], "m")};
+}
+
+Shape readSphere(const Entry& value) {
+  const std::vector<Key<Sphere>> keys = {
+      {"radius", [](const Entry& e, Sphere& s) { s.radius = readPositive(e, "m"); }, true},
+  };
+  Sphere sphere{};
+  readMapping(value, keys, sphere);
+  return sphere;
+}
+
+Shape readCapsule(const Entry& value) {
+  const std::vector<Key<Capsule>> keys = {
+      {"radius", [](const Entry& e, Capsule& c) { c.radius = readPositive(e, "m"); }, true},
+      {"length", [](const Entry& e, Capsule& c) { c.length = readNotNegative(e, "m"); }, true},
+  };
+  Capsule capsule{};
+  readMapping(value, keys, capsule);
+  return capsule;
+}
+
+/// A solid of revolution with a radius and a length.
+template <class Solid>
+Shape readRound(const Entry& value) {
+  const std::vector<Key<Solid>> keys = {
+      {"radius", [](const Entry& e, Solid& s) { s.radius = readPositive(e, "m"); }, true},
+      {"length", [](const Entry& e, Solid& s) { s.length = readPositive(e, "m"); }, true},
+  };
+  Solid solid{};
+  readMapping(value, keys, solid);
+  return solid;
+}
+
+}  // namespace
+
+void readSolid(const Entry& entry, SolidDef& solid) {
+  const std::vector<Key<SolidDef>> keys = {
+      {"box", [](const Entry& e, SolidDef& s) { s.shape = Box{readSize(e)}; }},
+      {"sphere", [](const Entry& e, SolidDef& s) { s.shape = readSphere(e); }},
+      {"cylinder", [](const Entry& e, SolidDef& s) { s.shape = readRound<Cylinder>(e); }},
+      {"capsule", [](const Entry& e, SolidDef& s) { s.shape = readCapsule(e); }},
+      {"ellipsoid", [](const Entry& e, SolidDef& s) { s.shape = Ellipsoid{readSize(e)}; }},
+      {"cone", [](const Entry& e, SolidDef& s) { s.shape = readRound<Cone>(e); }},
+      {"mesh", [](const Entry& e, SolidDef& s) { s.mesh = readMeshDef(e); }},
+  };
+  readMapping(entry, keys, solid);
+  const std::size_t count = entry.node().children.size();
+  if (count != 1) entry.fail(entry.key() + " must name one shape, got " + std::to_string(count));
+}
+
+}  // namespace rigid_body_sim

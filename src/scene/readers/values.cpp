@@ -1,0 +1,155 @@
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <optional>
+#include <sstream>
+
+#include <rigid_body_sim/math/rotation.hpp>
+
+#include "scene/limits.hpp"
+#include "scene/readers/entry.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+/// Whether the text is a decimal number: [-+]?(d+(.d*)?|.d+)([eE][-+]?d+)?
+bool isDecimal(const std::string& text) {
+  std::size_t i = 0;
+  const auto skipSign = [&] { i += i < text.size() && (text[i] == '+' || text[i] == '-'); };
+  const auto skipDigits = [&] {
+    const std::size_t first = i;
+    while (i < text.size() && isDigit(text[i])) ++i;
+    return i - first;
+  };
+  skipSign();
+  std::size_t digits = skipDigits();
+  if (i < text.size() && text[i] == '.') {
+    ++i;
+    digits += skipDigits();
+  }
+  if (digits == 0) return false;
+  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
+    ++i;
+    skipSign();
+    if (skipDigits() == 0) return false;
+  }
+  return i == text.size();
+}
+
+/// The number that a plain scalar stands for, .inf and .nan included; none where it is no number.
+std::optional<double> numberIn(const YamlNode& node) {
+  if (node.kind != YamlNode::Kind::kScalar || node.quoted) return std::nullopt;
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  const bool negative = !node.text.empty() && node.text[0] == '-';
+  const bool has_sign = negative || (!node.text.empty() && node.text[0] == '+');
+  const std::string magnitude = node.text.substr(has_sign ? 1 : 0);
+  if (magnitude == ".inf" || magnitude == ".Inf" || magnitude == ".INF")
+    return negative ? -kInf : kInf;
+  if (node.text == ".nan" || node.text == ".NaN" || node.text == ".NAN")
+    return std::numeric_limits<double>::quiet_NaN();
+  if (!isDecimal(node.text)) return std::nullopt;
+
+  // a decimal that does not fit into a double fails to convert: it counts as infinite
+  std::istringstream stream(node.text);
+  stream.imbue(std::locale::classic());
+  double number = 0;
+  if (!(stream >> number)) return negative ? -kInf : kInf;
+  return number;
+}
+
+std::string bracketed(const std::string& unit) { return unit.empty() ? "" : " [" + unit + "]"; }
+
+}  // namespace
+
+bool readBoolean(const Entry& value) {
+  const YamlNode& node = value.node();
+  const bool plain = node.kind == YamlNode::Kind::kScalar && !node.quoted;
+  if (plain && node.text == "true") return true;
+  if (plain && node.text == "false") return false;
+  value.failRule("must be true or false");
+}
+
+std::string readText(const Entry& value) {
+  if (value.node().kind != YamlNode::Kind::kScalar || value.node().text.empty())
+    value.failRule("must be a text");
+  return value.node().text;
+}
+
+std::string readTextOrNone(const Entry& value) {
+  const YamlNode& node = value.node();
+  const bool none = node.kind == YamlNode::Kind::kScalar && node.text.empty();
+  return none ? std::string() : readText(value);
+}
+
+bool isName(const std::string& text) {
+  if (text.empty() || text.size() > kMostNameBytes || !isLetter(text[0])) return false;
+  for (const char c : text) {
+    if (!isLetter(c) && !isDigit(c) && c != '_') return false;
+  }
+  return true;
+}
+
+std::string nameRule() {
+  return "must be a name [A-Za-z][A-Za-z0-9_]* of at most " + std::to_string(kMostNameBytes) +
+         " bytes";
+}
+
+std::string readName(const Entry& value) {
+  if (value.node().kind != YamlNode::Kind::kScalar || !isName(value.node().text))
+    value.failRule(nameRule());
+  return value.node().text;
+}
+
+double readNumber(const Entry& value, const std::string& unit) {
+  const std::optional<double> number = numberIn(value.node());
+  if (!number) value.failRule("must be a number" + bracketed(unit));
+  if (!std::isfinite(*number)) value.failRule("must be a finite number" + bracketed(unit));
+  return *number;
+}
+
+double readPositive(const Entry& value, const std::string& unit) {
+  const double number = readNumber(value, unit);
+  if (!(number > 0)) value.failRule("must be > 0" + (unit.empty() ? "" : " " + unit));
+  return number;
+}
+
+double readNotNegative(const Entry& value, const std::string& unit) {
+  const double number = readNumber(value, unit);
+  if (!(number >= 0)) value.failRule("must be >= 0 " + unit);
+  return number;
+}
+
+double readDuration(const Entry& value) {
+  const std::optional<double> number = numberIn(value.node());
+  if (!number) value.failRule("must be a number [s]");
+  if (!(*number > 0)) value.failRule("must be > 0 s");
+  return *number;
+}
+
+std::vector<double> readNumbers(const Entry& value, std::size_t count, const std::string& unit) {
+  const std::string rule = "must be a list of " + std::to_string(count) + " numbers";
+  const std::vector<Entry> items = value.items(rule + bracketed(unit));
+  if (items.size() != count) value.failRule(rule + bracketed(unit));
+  std::vector<double> numbers;
+  numbers.reserve(count);
+  for (const Entry& item : items) numbers.push_back(readNumber(item, unit));
+  return numbers;
+}
+
+Vector3d readVector3(const Entry& value, const std::string& unit) {
+  const std::vector<double> v = readNumbers(value, 3, unit);
+  return {v[0], v[1], v[2]};
+}
+
+Quaterniond readQuaternion(const Entry& value) {
+  const std::vector<double> q = readNumbers(value, 4, "");
+  const Quaterniond quaternion(q[3], q[0], q[1], q[2]);
+  if (!isNearlyUnit(quaternion))
+    value.failRule("must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1");
+  return quaternion.normalized();
+}
+
+}  // namespace rigid_body_sim

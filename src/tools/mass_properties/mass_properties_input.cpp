@@ -1,0 +1,84 @@
+#include "tools/mass_properties/mass_properties_input.hpp"
+
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+#include "programs/tool_scene.hpp"
+#include "programs/usage.hpp"
+#include "scene/build/check_scene.hpp"
+#include "scene/meshes/read_mesh.hpp"
+#include "scene/meshes/solid_mesh.hpp"
+#include "scene/readers/read_urdf.hpp"
+#include "tools/mass_properties/scene_names.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+constexpr double kDensityOfWater = 1000;
+
+/// The file's name without its extension, made a name that a scene accepts.
+std::string nameOf(const std::string& path) {
+  return sceneName(std::filesystem::path(path).stem().string(), "mesh_");
+}
+
+Masses massOfMesh(const MassPropertiesOptions& options) {
+  const SolidMesh solid = readSolidMesh(options.file, 1);
+  SolidDef def;
+  def.mesh = solid.def;
+  def.mass = options.mass;
+  if (!options.mass) def.density = options.density.value_or(kDensityOfWater);
+
+  const MassProperties mass = massProperties(def);
+  const std::string fault = massPropertiesFault(mass);
+  if (!fault.empty()) throw std::runtime_error(options.file + ": " + fault);
+  std::ostringstream remark;
+  remark.precision(10);
+  remark << "volume " << solid.def.volume << " m^3, density " << mass.mass / solid.def.volume
+         << " kg/m^3";
+  if (!options.mass && !options.density)
+    remark << " (assumed: neither --density nor --mass is given)";
+  Masses masses;
+  masses.bodies.push_back({nameOf(options.file), remark.str(), mass});
+  if (!solid.notice.empty()) masses.notices.push_back(solid.notice);
+  return masses;
+}
+
+Masses massesOfScene(const std::string& path) {
+  const Scene scene = loadToolScene(path);
+  Masses masses;
+  masses.notices = scene.notices;
+  for (const BodyDef& body : scene.bodies)
+    masses.bodies.push_back({body.name, "", massProperties(body)});
+  return masses;
+}
+
+/// link: one that has a mass
+NamedMass massOfLink(const std::string& path, const UrdfLink& link) {
+  const std::string fault = massPropertiesFault(*link.mass);
+  if (!fault.empty()) throw std::runtime_error(path + ": link '" + link.name + "': " + fault);
+  return {link.name, "", *link.mass};
+}
+
+Masses massesOfUrdf(const std::string& path) {
+  Masses masses;
+  for (const UrdfLink& link : readUrdf(path))
+    if (link.mass) masses.bodies.push_back(massOfLink(path, link));
+  if (masses.bodies.empty()) throw std::runtime_error(path + ": no link has an <inertial>");
+  return masses;
+}
+
+}  // namespace
+
+Masses readMasses(const MassPropertiesOptions& options) {
+  const std::string extension = extensionOf(options.file);
+  const bool is_mesh = extension == ".stl" || extension == ".obj" || extension == ".dae";
+  const bool is_urdf = extension == ".urdf" || extension == ".xml";
+  if (is_mesh) return massOfMesh(options);
+  if (options.density || options.mass)
+    throw UsageError("--density and --mass go with a mesh; " + options.file +
+                     " says what its bodies weigh");
+  return is_urdf ? massesOfUrdf(options.file) : massesOfScene(options.file);
+}
+
+}  // namespace rigid_body_sim

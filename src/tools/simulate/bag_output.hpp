@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <rosbag/bag.h>
+
+#include "ros/outputs/outputs.hpp"
+
+namespace rigid_body_sim {
+
+/// A run written to a bag as a node /rigid_body_node with publish_clock tells it: the same topics,
+/// stamps and values.
+class BagOutput {
+ public:
+  /// States at `rate` [1/s]. The simulation, that of the scene, is watched, not copied. Throws
+  /// std::runtime_error, the path first, when the bag cannot be written; so do the others.
+  BagOutput(const std::string& path, double rate, const Scene& scene, const Simulation& simulation);
+
+  /// Writes what is due at the step that the simulation has come to.
+  void writeDue();
+
+  /// Bodies have been moved other than by time.
+  void breakTrails() { outputs_->breakTrails(); }
+
+  /// Closes the bag.
+  void finish();
+
+ private:
+  void guarded(const std::function<void()>& action);
+
+  std::string path_;
+  std::unique_ptr<rosbag::Bag> bag_;
+  TimeOrigin origin_;
+  std::unique_ptr<Outputs> outputs_;
+};
+
+}  // namespace rigid_body_sim

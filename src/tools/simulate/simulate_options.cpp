@@ -1,0 +1,65 @@
+#include "tools/simulate/simulate_options.hpp"
+
+#include <stdexcept>
+
+#include "dynamics/methods/catalogue.hpp"
+#include "programs/usage.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+std::string integratorNamed(const std::string& name) {
+  try {
+    if (name != "auto") methodNamed(name);
+  } catch (const std::invalid_argument& unknown) {
+    throw UsageError(std::string("--") + unknown.what());
+  }
+  return name;
+}
+
+}  // namespace
+
+SimulateOptions parseSimulateOptions(int argc, char** argv) {
+  SimulateOptions options;
+  const OptionActions actions{
+      {"duration", [&](const char* s) { options.duration = positiveNumber("duration", s); }},
+      {"sample", [&](const char* s) { options.sample = positiveNumber("sample", s); }},
+      {"time-step", [&](const char* s) { options.time_step = positiveNumber("time-step", s); }},
+      {"tolerance", [&](const char* s) { options.tolerance = positiveNumber("tolerance", s); }},
+      {"integrator", [&](const char* s) { options.integrator = integratorNamed(s); }},
+      {"csv", [&](const char* s) { options.csv = s; }},
+      {"bag", [&](const char* s) { options.bag = s; }},
+      {"wrench-bag", [&](const char* s) { options.wrench_bag = s; }}};
+  const auto scene = readCommandLine(argc, argv, actions, "scene file");
+  options.help = !scene;
+  options.scene = scene.value_or("");
+  return options;
+}
+
+std::string simulateHelp() {
+  return R"(usage: simulate SCENE [options]
+Integrates a scene offline, as fast as it can, and says where the bodies went and how well energy
+and momentum were kept.
+
+  --duration S       simulated time [s]; default: the scene's horizon
+  --sample S         time between rows of the CSV and states of the bag [s]; default: the time
+                     step in the CSV, 0.01 in the bag
+  --integrator NAME  in place of the scene's
+  --time-step S      in place of the scene's [s]
+  --tolerance X      in place of the scene's, with integrator auto only
+  --csv FILE|-       a row for each body and sample; - is the standard output
+  --bag FILE         the topics on the bodies that a node with publish_clock publishes, stamped from
+                     zero on; without ~inputs, and without ~status and /diagnostics, which report
+                     wall time
+  --wrench-bag FILE  repeats the last run in the recorded topic ~inputs of a node, to the last bit;
+                     from a bag without that topic, applies its wrench messages at their times in
+                     the bag
+  --help             this text
+
+CSV columns: time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz: position of the body frame's origin
+[m], attitude, velocity of that origin [m/s] and angular velocity [rad/s], all in world axes.
+Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the simulation diverged.
+)";
+}
+
+}  // namespace rigid_body_sim

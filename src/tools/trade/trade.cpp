@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/scene/build_world.hpp>
+
+#include "programs/tool_scene.hpp"
+#include "programs/usage.hpp"
+#include "tools/common/preface.hpp"
+#include "tools/common/progress_bar.hpp"
+#include "tools/trade/trade_ladder.hpp"
+#include "tools/trade/trade_options.hpp"
+#include "tools/trade/trade_plot.hpp"
+#include "tools/trade/trade_report.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// Every setting of every integrator, each written as soon as it is known.
+std::vector<Setting> measureAll(const World& world, const Reference& reference,
+                                const std::vector<std::string>& integrators, TradeCsv& csv,
+                                ProgressBar& bar) {
+  constexpr double kUsualLadder = 16;  // settings; for the bar only
+  std::vector<Setting> settings;
+  const auto count = static_cast<double>(integrators.size());
+  for (std::size_t i = 0; i < integrators.size(); ++i) {
+    double done = 0;
+    climbLadder(world, reference, integrators[i], [&](const Setting& setting) {
+      csv.write(setting);
+      settings.push_back(setting);
+      done = std::min(1.0, done + 1 / kUsualLadder);
+      bar.show((1 + static_cast<double>(i) + done) / (1 + count));
+    });
+  }
+  return settings;
+}
+
+/// By rows in the order of the catalogue, each by ascending step.
+void sortLadders(std::vector<Setting>& settings) {
+  for (auto begin = settings.begin(); begin != settings.end();) {
+    const auto end = std::find_if(
+        begin, settings.end(), [&](const Setting& s) { return s.integrator != begin->integrator; });
+    std::sort(begin, end,
+              [](const Setting& a, const Setting& b) { return a.time_step < b.time_step; });
+    begin = end;
+  }
+}
+
+Trade measureTrade(const TradeOptions& options) {
+  const Scene scene = loadToolScene(options.scene);
+  const double duration = options.duration.value_or(scene.horizon);
+  requireCountable(duration, scene.time_step, "steps");
+  const World world = buildWorld(scene);
+  const State first = initialState(scene, world);
+  const std::vector<std::string> integrators = integratorsFor(world, first);
+  std::filesystem::create_directories(options.out);
+  TradeCsv csv(options.out + "/trade.csv");
+  Preface preface;
+  for (const std::string& notice : scene.notices) preface.add(noticeLine("trade", notice));
+  preface.say();
+
+  ProgressBar bar;
+  bar.show(0);
+  Trade trade;
+  trade.scene = options.scene;
+  trade.present = world.solver;
+  trade.error_budget = options.error_budget.value_or(scene.tolerance);
+  trade.reference = computeReference(world, first, duration);
+  bar.show(1 / (1 + static_cast<double>(integrators.size())));
+  trade.settings = measureAll(world, trade.reference, integrators, csv, bar);
+  sortLadders(trade.settings);
+  return trade;
+}
+
+void run(const TradeOptions& options) {
+  const Trade trade = measureTrade(options);
+  std::fputs(tableText(trade).c_str(), stdout);
+  std::fputs(referenceText(trade.reference).c_str(), stdout);
+  if (hasGnuplot())
+    plotTrade(trade, options.out + "/trade.svg");
+  else
+    std::printf("gnuplot is not installed: %s/trade.csv is there, the plot is not\n",
+                options.out.c_str());
+  std::fputs(adviceText(trade).c_str(), stdout);
+  requireWritten(stdout);
+}
+
+}  // namespace
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  using namespace rigid_body_sim;
+  try {
+    const TradeOptions options = parseTradeOptions(argc, argv);
+    if (options.help)
+      std::fputs(tradeHelp().c_str(), stdout);
+    else
+      run(options);
+    return kDone;
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "trade: %s (trade --help)\n", error.what());
+    return kWrongUsage;
+  } catch (const SimulationDiverged& error) {
+    std::fprintf(stderr, "trade: %s\n", error.what());
+    return kDiverged;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "trade: %s\n", error.what());
+    return kBadInput;
+  }
+}

@@ -1,0 +1,57 @@
+#include "tools/trade/trade_options.hpp"
+
+#include "programs/usage.hpp"
+#include "scene/message_text.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// gnuplot takes no line ends in a path.
+std::string directory(const std::string& path) {
+  if (path.empty() || oneLine(path) != path)
+    throw UsageError("--out: must be a path without control characters, got '" + printable(path) +
+                     "'");
+  return path;
+}
+
+}  // namespace
+
+TradeOptions parseTradeOptions(int argc, char** argv) {
+  TradeOptions options;
+  const OptionActions actions{
+      {"duration", [&](const char* s) { options.duration = positiveNumber("duration", s); }},
+      {"error-budget",
+       [&](const char* s) { options.error_budget = positiveNumber("error-budget", s); }},
+      {"out", [&](const char* s) { options.out = directory(s); }}};
+  const auto scene = readCommandLine(argc, argv, actions, "scene file");
+  options.help = !scene;
+  options.scene = scene.value_or("");
+  return options;
+}
+
+std::string tradeHelp() {
+  return R"(usage: trade SCENE [options]
+Measures what accuracy costs on a scene: runs it with every integrator that takes it, over a ladder
+of time steps, against a reference that two independent methods agree on. Prints the table and the
+cheapest setting within the error budget, as two lines to paste into the scene.
+
+  --duration S      simulated time [s]; default: the scene's horizon
+  --error-budget X  bound on the attitude error [rad] and on the position error relative to the
+                    path; default: the scene's tolerance
+  --out DIR         where trade.csv and trade.svg go, made if absent; default: here
+  --help            this text
+
+CSV columns: integrator,time_step,attitude_error,position_error,energy_error,
+angular_momentum_error,cpu_ns_per_sim_s,force_evaluations. Errors are the worst of all bodies and
+instants: attitude [rad]; position relative to the path; energy of all bodies relative to their
+greatest kinetic energy; angular momentum relative to its greatest. Processor time is that of the
+steps, in nanoseconds per simulated second; evaluations are those of the whole run. Rows are written
+as they are measured, so an interrupted run leaves a valid file. The plot needs gnuplot.
+
+A node takes messages over and publishes at time steps: for that reason a shorter step than the
+cheapest may be wanted. A shorter one is at least as accurate.
+Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the simulation diverged.
+)";
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,114 @@
+#include "tools/trade/trade_report.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "programs/formatted.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+bool contains(const std::vector<Setting>& settings, const Setting& wanted) {
+  return std::any_of(settings.begin(), settings.end(), [&](const Setting& s) {
+    return s.integrator == wanted.integrator && s.time_step == wanted.time_step;
+  });
+}
+
+/// An error, with ~ where the reference is no surer.
+std::string errorText(double error, double doubt) {
+  return formatted(" %9.1e%c", error, error <= doubt ? '~' : ' ');
+}
+
+}  // namespace
+
+TradeCsv::TradeCsv(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "w")) {
+  if (!file_) throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(errno));
+  std::fputs(
+      "integrator,time_step,attitude_error,position_error,energy_error,angular_momentum_error,"
+      "cpu_ns_per_sim_s,force_evaluations\n",
+      file_);
+  flush();
+}
+
+TradeCsv::~TradeCsv() { std::fclose(file_); }
+
+void TradeCsv::write(const Setting& s) {
+  std::fprintf(file_, "%s,%s,%.6e,%.6e,%.6e,%.6e,%.6e,%lld\n", s.integrator.c_str(),
+               numberText(s.time_step).c_str(), s.errors.attitude, s.errors.position,
+               s.errors.energy, s.errors.angular_momentum, s.cpu_ns_per_sim_s,
+               static_cast<long long>(s.force_evaluations));
+  flush();
+}
+
+void TradeCsv::flush() {
+  if (std::fflush(file_) != 0 || std::ferror(file_))
+    throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(errno));
+}
+
+bool isPresent(const Setting& setting, const SolverOptions& present) {
+  return setting.integrator == present.integrator && setting.time_step == present.time_step;
+}
+
+std::string numberText(double x) {
+  for (int digits = 1; digits < 17; ++digits) {
+    const std::string shorter = formatted("%.*g", digits, x);
+    if (std::strtod(shorter.c_str(), nullptr) == x) return shorter;
+  }
+  return formatted("%.17g", x);
+}
+
+std::string referenceText(const Reference& reference) {
+  const double doubt = reference.doubt.bounded();
+  const int digits = doubt > 0 ? std::max(0, static_cast<int>(-std::log10(doubt))) : 15;
+  return formatted("reference: %s; %s agrees to %.1e rad and to %.1e of the path: %d digits\n",
+                   reference.method.c_str(), reference.check.c_str(), reference.doubt.attitude,
+                   reference.doubt.position, digits);
+}
+
+std::string tableText(const Trade& trade) {
+  const Errors& doubt = trade.reference.doubt;
+  const std::vector<Setting> front = paretoFront(trade.settings, trade.reference);
+  std::string table =
+      formatted("   %-19s %12s  %9s  %9s  %9s  %9s  %11s %12s\n", "integrator", "time step",
+                "attitude", "position", "energy", "ang. mom.", "CPU us/s", "evaluations");
+  for (const Setting& s : trade.settings) {
+    table +=
+        formatted("%c%c ", contains(front, s) ? '*' : ' ', isPresent(s, trade.present) ? '<' : ' ');
+    table += formatted("%-19s %12.6g ", s.integrator.c_str(), s.time_step);
+    table += errorText(s.errors.attitude, doubt.attitude) +
+             errorText(s.errors.position, doubt.position) +
+             errorText(s.errors.energy, doubt.energy) +
+             errorText(s.errors.angular_momentum, doubt.angular_momentum);
+    table += formatted(" %12.4g %12lld\n", 1e-3 * s.cpu_ns_per_sim_s,
+                       static_cast<long long>(s.force_evaluations));
+  }
+  return table +
+         "* on the Pareto front   < what the scene says now   ~ the reference is no surer\n";
+}
+
+std::string adviceText(const Trade& trade) {
+  std::string advice;
+  double budget = trade.error_budget;
+  const double doubt = trade.reference.doubt.bounded();
+  if (2 * doubt > budget) {
+    budget = 2 * doubt;
+    advice =
+        formatted("the reference is known to %.2g only, too little for an error budget of %.3g\n",
+                  doubt, trade.error_budget);
+  }
+  const Setting* best = cheapestWithin(trade.settings, trade.reference, budget);
+  if (!best) return advice + formatted("no setting stays within %.2g\n", budget);
+  advice += formatted("cheapest within %.3g, %.4g us of CPU per simulated second:\n", budget,
+                      1e-3 * best->cpu_ns_per_sim_s);
+  advice += "integrator: " + best->integrator + "\n";
+  advice += "time_step: " + numberText(best->time_step) + "\n";
+  if (best->integrator != "auto" && trade.present.tolerance_stated)
+    advice += "(a line `tolerance` goes with auto only and must then leave the scene)\n";
+  return advice;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "tools/trade/trade_setting.hpp"
+
+namespace rigid_body_sim {
+
+/// trade.csv, a row as soon as it is known.
+class TradeCsv {
+ public:
+  /// Writes the header. Throws std::runtime_error where the file cannot be written.
+  explicit TradeCsv(const std::string& path);
+  ~TradeCsv();
+  TradeCsv(const TradeCsv&) = delete;
+  TradeCsv& operator=(const TradeCsv&) = delete;
+
+  /// Throws std::runtime_error where the row does not reach the file.
+  void write(const Setting& setting);
+
+ private:
+  void flush();
+
+  std::string path_;
+  std::FILE* file_;
+};
+
+/// Everything that a run of `trade` found out.
+struct Trade {
+  std::string scene;  ///< file
+  Reference reference;
+  SolverOptions present;          ///< what the scene says now
+  double error_budget = 0;        ///< [rad, relative]
+  std::vector<Setting> settings;  ///< by row, and by ascending step
+};
+
+/// Whether a setting is what the scene says now.
+bool isPresent(const Setting& setting, const SolverOptions& present);
+
+/// How far the reference can be trusted: a line of text.
+std::string referenceText(const Reference& reference);
+
+/// The table of settings, with a legend.
+std::string tableText(const Trade& trade);
+
+/// The cheapest setting within the budget, as lines of a scene file; or that there is none.
+std::string adviceText(const Trade& trade);
+
+/// In as few digits as give the number back.
+std::string numberText(double x);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,74 @@
+#include "tools/trade/trade_setting.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+#include "tools/common/state_at.hpp"
+#include "tools/trade/cpu_time.hpp"
+
+namespace rigid_body_sim {
+
+Setting measureSetting(const World& world, const Reference& reference,
+                       const std::string& integrator, double time_step, const Patience& patience) {
+  World copy = world;
+  copy.solver.integrator = integrator;
+  copy.solver.time_step = time_step;
+  const Simulation start(std::move(copy), reference.states.front());
+
+  Setting setting;
+  setting.integrator = integrator;
+  setting.time_step = time_step;
+  Simulation sampled(start);
+  std::vector<State> track{start.state()};
+  const std::size_t instants = reference.states.size() - 1;
+  for (std::size_t k = 1; k <= instants; ++k)
+    track.push_back(stateAt(
+        sampled, reference.duration * static_cast<double>(k) / static_cast<double>(instants)));
+  setting.errors = errorsOf(world, track, reference.states);
+  setting.parted = sampled.mostParts() > 1;
+
+  const auto steps = static_cast<std::int64_t>(std::ceil(reference.duration / time_step - 1e-6));
+  const auto run = [&](Simulation& simulation) {
+    while (simulation.steps() < steps) {
+      simulation.step();
+      simulation.state();  // what a step is taken for; a solved motion is evaluated here
+    }
+    setting.force_evaluations = simulation.evaluations();
+  };
+  setting.cpu_ns_per_sim_s =
+      1e9 * leastCpuTime(start, run, patience.timing) / (static_cast<double>(steps) * time_step);
+  return setting;
+}
+
+double resolvedError(const Setting& setting, const Reference& reference) {
+  return std::max(setting.errors.bounded(), reference.doubt.bounded());
+}
+
+std::vector<Setting> paretoFront(std::vector<Setting> settings, const Reference& reference) {
+  std::sort(settings.begin(), settings.end(), [](const Setting& a, const Setting& b) {
+    return a.cpu_ns_per_sim_s < b.cpu_ns_per_sim_s;
+  });
+  std::vector<Setting> front;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Setting& setting : settings) {
+    if (resolvedError(setting, reference) >= least) continue;
+    least = resolvedError(setting, reference);
+    front.push_back(setting);
+  }
+  return front;
+}
+
+const Setting* cheapestWithin(const std::vector<Setting>& settings, const Reference& reference,
+                              double error_budget) {
+  const Setting* best = nullptr;
+  for (const Setting& setting : settings) {
+    const bool within = setting.errors.attitude + reference.doubt.attitude <= error_budget &&
+                        setting.errors.position + reference.doubt.position <= error_budget;
+    if (within && (!best || setting.cpu_ns_per_sim_s < best->cpu_ns_per_sim_s)) best = &setting;
+  }
+  return best;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,54 @@
+# rostests: the node in a process of its own, driven through its topics and services. Each is
+# test/ros/node/NAME.test with its program test_NAME.cpp beside it.
+find_package(rostest REQUIRED)
+find_package(roslaunch REQUIRED)
+# what drives the node in them
+add_library(rigid_body_sim_node_driver STATIC EXCLUDE_FROM_ALL
+  test/ros/node/node_driver.cpp test/ros/node/reference_run.cpp)
+target_include_directories(rigid_body_sim_node_driver PUBLIC test)
+target_link_libraries(rigid_body_sim_node_driver
+  PUBLIC rigid_body_sim_ros gtest PRIVATE rigid_body_sim_options)
+function(rigid_body_sim_rostest name)
+  set(target rigid_body_sim_test_${name})
+  add_rostest_gtest(${target} test/ros/node/${name}.test test/ros/node/test_${name}.cpp)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME test_${name})
+  target_link_libraries(${target} rigid_body_sim_node_driver ${ARGN} rigid_body_sim_options)
+  add_dependencies(${target} ${programs})
+  target_compile_definitions(${target} PRIVATE ${program_definitions}
+    RIGID_BODY_SIM_FOLLOWER_SCENE="${PROJECT_SOURCE_DIR}/test/ros/node/follower.yaml"
+    RIGID_BODY_SIM_TEST_SCENE="${PROJECT_SOURCE_DIR}/test/ros/node/lopsided.yaml")
+endfunction()
+rigid_body_sim_rostest(clock)
+rigid_body_sim_rostest(doors)
+rigid_body_sim_rostest(fleet)
+rigid_body_sim_rostest(launch_files)
+rigid_body_sim_rostest(monitor)
+rigid_body_sim_rostest(process)
+rigid_body_sim_rostest(replay rigid_body_sim_bag)
+rigid_body_sim_rostest(reset)
+rigid_body_sim_rostest(same_bytes)
+# the viewers' side of the handles
+find_package(interactive_markers REQUIRED)
+rigid_body_sim_rostest(rviz ${interactive_markers_LIBRARIES})
+target_include_directories(rigid_body_sim_test_rviz SYSTEM PRIVATE
+  ${interactive_markers_INCLUDE_DIRS})
+rigid_body_sim_rostest(services)
+rigid_body_sim_rostest(state_topics)
+rigid_body_sim_rostest(wrench_services)
+
+# the same program, but the scene comes as text from a launch file
+add_rostest(test/ros/node/remote.test DEPENDENCIES rigid_body_sim_test_state_topics)
+
+file(GLOB launch_files RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/launch/*.launch)
+foreach(launch_file ${launch_files})
+  roslaunch_add_file_check(${launch_file} IGNORE_UNSET_ARGS)
+endforeach()
+
+# for scripts/soak
+add_executable(rigid_body_sim_garbage EXCLUDE_FROM_ALL test/soak/garbage.cpp)
+set_target_properties(rigid_body_sim_garbage PROPERTIES OUTPUT_NAME garbage)
+target_link_libraries(rigid_body_sim_garbage rigid_body_sim_ros rigid_body_sim_options)
+# for scripts/measure_load
+add_executable(rigid_body_sim_node_load EXCLUDE_FROM_ALL test/benchmark/node_load.cpp)
+set_target_properties(rigid_body_sim_node_load PROPERTIES OUTPUT_NAME node_load)
+target_link_libraries(rigid_body_sim_node_load rigid_body_sim_ros rigid_body_sim_options)

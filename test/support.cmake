@@ -1,0 +1,12 @@
+# The sections of the map of the extremes, for its program and its tests.
+add_library(rigid_body_sim_extremes STATIC EXCLUDE_FROM_ALL
+  test/extremes/cell.cpp
+  test/extremes/cell_lines.cpp
+  test/extremes/free_bodies.cpp
+  test/extremes/loads.cpp
+  test/extremes/one_body.cpp
+  test/extremes/refusals.cpp
+  test/extremes/schedules.cpp)
+target_include_directories(rigid_body_sim_extremes PUBLIC test)
+target_link_libraries(rigid_body_sim_extremes
+  PUBLIC rigid_body_sim_scene PRIVATE rigid_body_sim_options)
