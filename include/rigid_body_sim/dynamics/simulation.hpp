@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/input.hpp>
+
 #include "dynamics/run/balance.hpp"
 #include "dynamics/run/group.hpp"
 
@@ -56,6 +58,11 @@ class Simulation {
   /// The state at a time between now and the next step; the run goes on as if never asked. Throws
   /// SimulationDiverged.
   State sample(double t) const;
+
+  /// Takes an input over, now. Throws std::invalid_argument, and leaves all as it was, for one that
+  /// breaks a rule: an unknown or fixed body, numbers that are not finite, a wrench that the
+  /// integrator does not accept or one more than may be.
+  void apply(const SimulationInput& input);
 
   /// Applies a wrench to a body that is not fixed; see WrenchSchedule::put for slots. Throws
   /// std::invalid_argument, and leaves all as it was, for one that the integrator does not accept,

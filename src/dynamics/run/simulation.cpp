@@ -174,6 +174,22 @@ State Simulation::sample(double t) const {
   return sampled;
 }
 
+void Simulation::apply(const SimulationInput& input) {
+  if (const auto* wrench = std::get_if<WrenchInput>(&input)) {
+    applyWrench(wrench->slot, wrench->wrench);
+  } else if (const auto* clear = std::get_if<ClearInput>(&input)) {
+    const bool all = clear->body == ClearInput::kEveryBody;
+    if (all && clear->slot.empty()) return clearWrenches();
+    if (all) return clearWrenches(clear->slot);
+    if (clear->slot.empty()) return clearWrenches(clear->body);
+    clearWrenches(clear->body, clear->slot);
+  } else if (const auto* state = std::get_if<StateInput>(&input)) {
+    setState(state->body, toBodyState(world_->bodies[state->body], state->motion));
+  } else {
+    reset(std::get<ResetInput>(input).restart_time);
+  }
+}
+
 void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench) {
   const Body& body = world_->bodies[wrench.body];
   assert(!body.fixed);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <variant>
+
+#include <rigid_body_sim/dynamics/wrench.hpp>
+
+namespace rigid_body_sim {
+
+/// What changes a run from outside. Messages, services, records and programs all end in one of
+/// these; the simulation takes it over between two steps (Simulation::apply).
+
+/// A wrench is applied to a body that is not fixed.
+struct WrenchInput {
+  std::string slot;  ///< takes the place of what the body has in it; empty: always adds
+  PointWrench wrench;
+};
+
+/// Wrenches end now, those that act and those to come.
+struct ClearInput {
+  static constexpr std::size_t kEveryBody = std::numeric_limits<std::size_t>::max();
+  std::size_t body = kEveryBody;  ///< index
+  std::string slot;               ///< empty: of every slot, and those without
+};
+
+/// A body that is not fixed is put into a pose and a velocity.
+struct StateInput {
+  std::size_t body = 0;  ///< index
+  BodyFrameMotion motion;
+};
+
+/// Back to the initial states, every wrench cleared.
+struct ResetInput {
+  bool restart_time = false;  ///< also time and the schedule of the scene; else time runs on
+};
+
+using SimulationInput = std::variant<WrenchInput, ClearInput, StateInput, ResetInput>;
+
+}  // namespace rigid_body_sim
