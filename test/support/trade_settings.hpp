@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tools/trade_ladder.hpp>
+#include "tools/trade/trade_ladder.hpp"
 
 /// What the tests of trade measure with it.
 namespace rigid_body_sim::test {

@@ -1,10 +1,10 @@
 #include <cmath>
 
-#include <dynamics/taylor_recursion.hpp>
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "dynamics/taylor/taylor_recursion.hpp"
 #include "support/taylor_cases.hpp"
 
 namespace rigid_body_sim {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <tools/state_at.hpp>
 
 #include "support/trade_settings.hpp"
 #include "support/trade_worlds.hpp"
+#include "tools/common/state_at.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <tools/state_at.hpp>
 
 #include "support/scene_bench.hpp"
 #include "support/trade_settings.hpp"
+#include "tools/common/state_at.hpp"
 
 namespace rigid_body_sim {
 namespace {
