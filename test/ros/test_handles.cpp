@@ -52,8 +52,7 @@ TEST(Handles, AreBallsWhereNothingIsDrawn) {
       "inertia: {ixx: 0.4, iyy: 0.4, izz: 0.4}}]",
       "test");
   const World world = buildWorld(scene);
-  scene.bodies[0].inertia.reset();
-  scene.bodies[0].link = LinkDef();  // without <visual>
+  scene.bodies[0].composition = LinkDef();  // without <visual>
   const auto handles = toHandles(scene, world);
   const std::vector<Marker>& shells = handles.at(0).controls.at(0).markers;
   ASSERT_EQ(shells.size(), 1U);

@@ -45,7 +45,7 @@ bodies:
      orientation: [0.5, 0.5, 0.5, 0.5]}
 )",
                            "test");
-  scene.bodies[0].center_of_mass = std::get<0>(placement);
+  std::get<MassProperties>(scene.bodies[0].composition).com_B = std::get<0>(placement);
   scene.bodies[0].orientation = std::get<1>(placement);
   return scene;
 }

@@ -63,7 +63,8 @@ TEST(BuildWorld, GivesTheShapeItsInertia) {
 
 TEST(BuildWorld, ReadsEveryShapeWithItsOwnMeasures) {
   const auto shapeOf = [](const std::string& text) {
-    return *sceneOf("    shape: " + text + "\n    mass: 1\n").bodies[0].shape;
+    const Scene scene = sceneOf("    shape: " + text + "\n    mass: 1\n");
+    return std::get<Shape>(std::get<SolidDef>(scene.bodies[0].composition).geometry);
   };
   EXPECT_EQ(std::get<Box>(shapeOf("{box: [1, 2, 3]}")).size, Vector3d(1, 2, 3));
   EXPECT_EQ(std::get<Sphere>(shapeOf("{sphere: {radius: 2}}")).radius, 2);
@@ -86,7 +87,7 @@ TEST(BuildWorld, KeepsTheSignOfProductsOfInertia) {
   I << 3, 0.1, -0.2,  //
       0.1, 4, 0.3,    //
       -0.2, 0.3, 5;
-  EXPECT_EQ(*scene.bodies[0].inertia, I);
+  EXPECT_EQ(std::get<MassProperties>(scene.bodies[0].composition).I_Bcm, I);
   const Body body = buildWorld(scene).bodies[0];
   const Matrix3d R = body.X_BP.linear();
   // a few Jacobi rotations, each of a few ulp

@@ -116,7 +116,8 @@ TEST_F(Frames, ResolvesAWrenchInEveryFrameToTheSameForceAndTorque) {
     EXPECT_EQ(resolved.wrench.end, 2);
     Wrench sum;
     addPointWrench(resolved.wrench, state_.bodies, sum);
-    const Vector3d com_W = inWorld("box", scene_.bodies[0].center_of_mass);
+    const Vector3d com_W =
+        inWorld("box", std::get<MassProperties>(scene_.bodies[0].composition).com_B);
     const Vector3d f_W = q_WF * def.force;
     const Vector3d tau_W = (inWorld(frame, def.point) - com_W).cross(f_W) + q_WF * def.torque;
     const Vector3d found_W = sum.tau_W + rotate(state_.bodies[0].q_WP, sum.tau_P);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/build/check_scene.hpp"
+#include "scene/build/body_mass.hpp"
 #include "scene_texts.hpp"
 #include "support/mass_difference.hpp"
 
@@ -58,13 +58,34 @@ TEST(SceneParts, AreTurnedAndPlacedEach) {
                        combined(placed), 4e-15));
 }
 
+TEST(SceneParts, MayGiveTheirMassPropertiesInPlaceOfAShape) {
+  // a quarter turn about z: the part's x axis is the body's y
+  const MassProperties whole = massOf(
+      "    parts:\n"
+      "      - {mass: 2, inertia: {ixx: 3, iyy: 4, izz: 5, ixy: 0.5}, center_of_mass: [1, 0, 0],\n"
+      "         position: [0, 1, 0],\n"
+      "         orientation: [0, 0, 0.7071067811865476, 0.7071067811865476]}\n"
+      "      - {mass: 2, inertia: {ixx: 1, iyy: 1, izz: 1}, position: [0, -2, 0]}\n");
+  // centres at (0, 2, 0) and (0, -2, 0): the sum's is the origin, with 2 * 2 kg * (2 m)^2 across y
+  Matrix3d I;
+  I << 4 + 1 + 16, -0.5, 0,  //
+      -0.5, 3 + 1, 0,        //
+      0, 0, 5 + 1 + 16;
+  EXPECT_TRUE(sameMass(whole, {4, Vector3d::Zero(), I}, 2e-15));
+}
+
 TEST(SceneParts, KeepTheirRules) {
   EXPECT_EQ(errorOf(bodyText("    parts: []\n")),
             kAt + "parts must be a list of at least one part, got []");
   EXPECT_EQ(errorOf(bodyText("    parts: {box: 1}\n")),
             kAt + "parts must be a list of at least one part, got a mapping");
   EXPECT_EQ(partError("7"), kAt + "parts[0] must be a mapping, got 7");
-  EXPECT_EQ(partError("{mass: 1}"), kAt + "missing key 'parts[0].shape'");
+  EXPECT_EQ(partError("{mass: 1}"), kAt + "parts[0]: missing key 'shape' or 'inertia'");
+  EXPECT_EQ(partError("{inertia: {ixx: 1, iyy: 1, izz: 1}}"), kAt + "parts[0]: missing key 'mass'");
+  EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, center_of_mass: [0, 0, 0]}"),
+            kAt +
+                "parts[0].center_of_mass cannot stand beside shape, which gives it, got "
+                "[0, 0, 0]");
   EXPECT_EQ(partError("{shape: {box: [1, 1, 1]}}"),
             kAt + "parts[0]: missing key 'mass' or 'density' of the shape");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, density: 1}"),
@@ -77,7 +98,9 @@ TEST(SceneParts, KeepTheirRules) {
   EXPECT_EQ(partError("{shape: {box: [1, 1]}, mass: 1}"),
             kAt + "parts[0].shape.box must be a list of 3 numbers [m], got [1, 1]");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1}, {shape: {}, at: 1}"),
-            kAt + "unknown key 'parts[1].at' (known: shape, mass, density, position, orientation)");
+            kAt +
+                "unknown key 'parts[1].at' (known: shape, mass, density, inertia, center_of_mass, "
+                "position, orientation)");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, orientation: [0, 0, 0, 2]}"),
             kAt +
                 "parts[0].orientation must be a unit quaternion [x, y, z, w], its norm within 1e-3 "

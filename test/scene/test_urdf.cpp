@@ -5,7 +5,7 @@
 
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "scene/build/check_scene.hpp"
+#include "scene/build/body_mass.hpp"
 #include "scene/build/visuals_of.hpp"
 #include "scene/readers/read_urdf.hpp"
 #include "support/mass_difference.hpp"

@@ -10,7 +10,7 @@
 
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "scene/build/check_scene.hpp"
+#include "scene/build/body_mass.hpp"
 #include "scene/readers/read_urdf.hpp"
 #include "support/mass_difference.hpp"
 #include "support/mesh_edits.hpp"

@@ -46,17 +46,18 @@ struct MeshDef {
   MassProperties unit;  ///< of one kilogram of it
 };
 
-/// A homogeneous solid: either shape or mesh, either mass or density.
+using SolidGeometry = std::variant<Shape, MeshDef>;
+
+/// A homogeneous solid, in the frame of its geometry.
 struct SolidDef {
-  std::optional<Shape> shape;
-  std::optional<MeshDef> mesh;
-  std::optional<double> mass;     ///< [kg] > 0
-  std::optional<double> density;  ///< [kg/m³] > 0
+  SolidGeometry geometry;
+  double mass = 0;  ///< [kg] > 0
 };
 
-/// A solid with a frame S of its own, placed in the body frame.
-struct PartDef : SolidDef {
-  Vector3d position = Vector3d::Zero();               ///< [m] of its origin
+/// A part with a frame S of its own, placed in the body frame.
+struct PartDef {
+  std::variant<MassProperties, SolidDef> content;     ///< given properties or a solid, in S
+  Vector3d position = Vector3d::Zero();               ///< [m] of the origin of S
   Quaterniond orientation = Quaterniond::Identity();  ///< q_BS, unit
 };
 
@@ -66,17 +67,14 @@ struct LinkDef {
   std::vector<Visual> visuals;
 };
 
-/// What it is made of is one of five: a solid; mass (that of SolidDef), inertia and centre of mass;
-/// parts; particles; a link.
-struct BodyDef : SolidDef {
+/// What a body is made of, in the body frame: given mass properties, a solid, the sum of parts,
+/// particles at rest, or a URDF link.
+using CompositionDef =
+    std::variant<MassProperties, SolidDef, std::vector<PartDef>, Particles, LinkDef>;
+
+struct BodyDef {
   std::string name;
-
-  std::optional<Matrix3d> inertia;             ///< [kg m²] about the centre of mass, in body axes
-  Vector3d center_of_mass = Vector3d::Zero();  ///< [m] in the body frame
-  std::vector<PartDef> parts;
-  Particles particles;  ///< in the body frame, at rest there
-  std::optional<LinkDef> link;
-
+  CompositionDef composition;
   Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the world
   Quaterniond orientation = Quaterniond::Identity();  ///< q_WB, unit
   TwistDef twist;
@@ -85,8 +83,8 @@ struct BodyDef : SolidDef {
   bool fixed = false;  ///< it never moves
   VisualDef visual;
 
-  int line = 0;         ///< of its name
-  int matter_line = 0;  ///< of the key that says what it is made of
+  int line = 0;              ///< of its name
+  int composition_line = 0;  ///< of the key that says what it is made of
 };
 
 /// A wrench by the names of its frames.

@@ -5,6 +5,7 @@
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
 
 #include "dynamics/run/coupling.hpp"
+#include "scene/build/body_mass.hpp"
 #include "scene/build/build_laws.hpp"
 #include "scene/build/check_scene.hpp"
 

@@ -1,10 +1,8 @@
 #include "scene/build/check_scene.hpp"
 
-#include <cassert>
 #include <map>
 
-#include <rigid_body_sim/math/isometry.hpp>
-
+#include "scene/build/body_mass.hpp"
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
@@ -33,7 +31,7 @@ void checkNames(const Scene& scene) {
 void checkMassProperties(const Scene& scene, const BodyDef& body) {
   const std::string fault = massPropertiesFault(massProperties(body));
   if (!fault.empty())
-    throw SceneError(scene.source, body.matter_line, "body '" + body.name + "': " + fault);
+    throw SceneError(scene.source, body.composition_line, "body '" + body.name + "': " + fault);
 }
 
 void checkMotion(const Scene& scene, const BodyDef& body) {
@@ -45,34 +43,7 @@ void checkMotion(const Scene& scene, const BodyDef& body) {
                          " rad/s");
 }
 
-std::vector<MassProperties> placedParts(const std::vector<PartDef>& parts) {
-  std::vector<MassProperties> placed;
-  placed.reserve(parts.size());
-  for (const PartDef& part : parts)
-    placed.push_back(transformed(isometry(part.orientation, part.position), massProperties(part)));
-  return placed;
-}
-
 }  // namespace
-
-MassProperties massProperties(const SolidDef& solid) {
-  assert((solid.shape || solid.mesh) && (solid.mass || solid.density));
-  const double volume_of_it = solid.shape ? volume(*solid.shape) : solid.mesh->volume;
-  const double mass = solid.mass ? *solid.mass : *solid.density * volume_of_it;
-  if (solid.shape) return massProperties(*solid.shape, mass);
-  return {mass, solid.mesh->unit.com_B, mass * solid.mesh->unit.I_Bcm};
-}
-
-MassProperties massProperties(const BodyDef& body) {
-  if (body.link) return body.link->mass;
-  if (!body.particles.empty()) return massProperties(body.particles);
-  if (!body.parts.empty()) return combined(placedParts(body.parts));
-  if (body.inertia) {
-    assert(body.mass);
-    return {*body.mass, body.center_of_mass, *body.inertia};
-  }
-  return massProperties(static_cast<const SolidDef&>(body));
-}
 
 void checkScene(const Scene& scene) {
   checkNames(scene);

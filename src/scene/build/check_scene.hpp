@@ -5,12 +5,6 @@
 
 namespace rigid_body_sim {
 
-/// Mass properties of a solid in its own frame.
-MassProperties massProperties(const SolidDef& solid);
-
-/// Mass properties of a body in its own frame. The def must say what it is made of.
-MassProperties massProperties(const BodyDef& body);
-
 /// Throws SceneError for what no single value of a scene shows: names taken twice, mass properties
 /// that no body can have, a fixed body with a velocity. A loaded scene has passed this; one made by
 /// a program passes it in buildWorld.

@@ -6,14 +6,16 @@
 #include <rigid_body_sim/mass/principal_axes.hpp>
 #include <rigid_body_sim/math/isometry.hpp>
 
-#include "scene/build/check_scene.hpp"
-
 namespace rigid_body_sim {
 namespace {
 
+Visual visualOf(const Shape& shape, const Isometry3d& X_BS) { return {shape, X_BS, {}}; }
+Visual visualOf(const MeshDef& mesh, const Isometry3d& X_BS) {
+  return {MeshVisual{mesh.url, Vector3d::Constant(mesh.scale)}, X_BS, {}};
+}
+
 Visual visualOf(const SolidDef& solid, const Isometry3d& X_BS) {
-  if (solid.shape) return {*solid.shape, X_BS, {}};
-  return {MeshVisual{solid.mesh->url, Vector3d::Constant(solid.mesh->scale)}, X_BS, {}};
+  return std::visit([&](const auto& kind) { return visualOf(kind, X_BS); }, solid.geometry);
 }
 
 /// A sphere for each particle: a twentieth of the farthest one's distance from the centre of mass
@@ -26,33 +28,42 @@ std::vector<Visual> spheresOf(const Particles& particles) {
     heaviest = std::max(heaviest, p.mass);
   }
   std::vector<Visual> spheres;
-  for (const Particle& p : particles)
-    spheres.push_back({Sphere{farthest / 20 * std::cbrt(p.mass / heaviest)},
-                       isometry(Quaterniond::Identity(), p.position),
-                       {}});
+  for (const Particle& p : particles) {
+    Visual& sphere = spheres.emplace_back();
+    sphere.geometry = Sphere{farthest / 20 * std::cbrt(p.mass / heaviest)};
+    sphere.X_BV.translation() = p.position;
+  }
   return spheres;
 }
 
-/// The homogeneous box of the given mass properties:  I₁ = m (b² + c²)/12 and cyclic.
-Visual boxOf(const MassProperties& mass) {
+/// The homogeneous box of the mass properties, given in a frame S:  I₁ = m (b² + c²)/12 and cyclic.
+Visual visualOf(const MassProperties& mass, const Isometry3d& X_BS) {
   // a plate has a side of zero, which viewers do not draw
   constexpr double kThinnest = 1e-3;
   const PrincipalAxes axes = principalAxes(mass.I_Bcm);
   const Vector3d others = Vector3d::Constant(axes.I.sum()) - 2 * axes.I;
   const Vector3d sides = (6 * others / mass.mass).cwiseMax(0).cwiseSqrt();
   return {Box{sides.cwiseMax(kThinnest * sides.maxCoeff())},
-          isometry(Quaterniond(axes.R_BP), mass.com_B),
+          X_BS * isometry(Quaterniond(axes.R_BP), mass.com_B),
           {}};
 }
 
-std::vector<Visual> visualsOfMatter(const BodyDef& body) {
-  if (body.link) return body.link->visuals;
-  if (!body.particles.empty()) return spheresOf(body.particles);
-  if (body.inertia) return {boxOf(massProperties(body))};
-  if (body.parts.empty()) return {visualOf(body, Isometry3d::Identity())};
+std::vector<Visual> visualsOfKind(const MassProperties& given) {
+  return {visualOf(given, Isometry3d::Identity())};
+}
+std::vector<Visual> visualsOfKind(const SolidDef& solid) {
+  return {visualOf(solid, Isometry3d::Identity())};
+}
+std::vector<Visual> visualsOfKind(const Particles& particles) { return spheresOf(particles); }
+std::vector<Visual> visualsOfKind(const LinkDef& link) { return link.visuals; }
+
+std::vector<Visual> visualsOfKind(const std::vector<PartDef>& parts) {
   std::vector<Visual> visuals;
-  for (const PartDef& part : body.parts)
-    visuals.push_back(visualOf(part, isometry(part.orientation, part.position)));
+  for (const PartDef& part : parts) {
+    const Isometry3d X_BS = isometry(part.orientation, part.position);
+    visuals.push_back(
+        std::visit([&](const auto& content) { return visualOf(content, X_BS); }, part.content));
+  }
   return visuals;
 }
 
@@ -61,7 +72,7 @@ std::vector<Visual> visualsOfMatter(const BodyDef& body) {
 std::vector<Visual> visualsOf(const BodyDef& body) {
   std::vector<Visual> visuals;
   if (body.visual.mesh.empty())
-    visuals = visualsOfMatter(body);
+    visuals = std::visit([](const auto& kind) { return visualsOfKind(kind); }, body.composition);
   else
     visuals.push_back({MeshVisual{body.visual.mesh, Vector3d::Ones()}, Isometry3d::Identity(), {}});
   if (body.visual.color)

@@ -9,16 +9,16 @@
 
 namespace rigid_body_sim {
 
-SolidMesh readSolidMesh(const std::string& path, double scale) {
+MeshDef readSolidMesh(const std::string& path, double scale, std::vector<std::string>& notices) {
   const CheckedMesh checked = checkedMesh(readMesh(path, scale));
   if (!checked.fault.empty()) throw std::runtime_error(path + ": " + checked.fault);
-  SolidMesh solid;
-  solid.def.url = viewerUrl(path, "");
-  solid.def.scale = scale;
-  solid.def.volume = volume(checked.mesh);
-  solid.def.unit = massProperties(checked.mesh, 1);
-  if (!checked.notice.empty()) solid.notice = path + ": " + checked.notice;
-  return solid;
+  if (!checked.notice.empty()) notices.push_back(path + ": " + checked.notice);
+  MeshDef def;
+  def.url = viewerUrl(path, "");
+  def.scale = scale;
+  def.volume = volume(checked.mesh);
+  def.unit = massProperties(checked.mesh, 1);
+  return def;
 }
 
 }  // namespace rigid_body_sim

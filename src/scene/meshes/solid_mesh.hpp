@@ -1,19 +1,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <rigid_body_sim/scene/scene.hpp>
 
 namespace rigid_body_sim {
 
-/// The solid of a mesh file.
-struct SolidMesh {
-  MeshDef def;         ///< its url is the file:// of the path
-  std::string notice;  ///< the path and what was changed about the orientation; empty when nothing
-};
-
-/// Reads (readMesh), checks (checkedMesh) and integrates a mesh file, every length multiplied by
-/// scale. Throws std::runtime_error with one line, the path first, for what either refuses.
-SolidMesh readSolidMesh(const std::string& path, double scale);
+/// The solid of a mesh file, every length multiplied by scale: reads (readMesh), checks
+/// (checkedMesh) and integrates; its url is the file:// of the path. Adds to the notices what was
+/// changed, the path first. Throws std::runtime_error with one line, the path first, for what is
+/// refused.
+MeshDef readSolidMesh(const std::string& path, double scale, std::vector<std::string>& notices);
 
 }  // namespace rigid_body_sim

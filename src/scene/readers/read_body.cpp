@@ -79,17 +79,17 @@ std::string placeOf(const Entry& entry) {
 }  // namespace
 
 BodyDef readBody(const Entry& list_item) {
+  const auto later = [](const Entry&, BodyDef&) {};  // several keys together: readComposition
   const std::vector<Key<BodyDef>> keys = {
       {"name", readBodyName, true},
-      {"shape", [](const Entry& e, BodyDef& b) { readSolid(e, b); }},
-      {"mass", [](const Entry& e, BodyDef& b) { b.mass = readPositive(e, "kg"); }},
-      {"density", [](const Entry& e, BodyDef& b) { b.density = readPositive(e, "kg/m^3"); }},
-      {"inertia", [](const Entry& e, BodyDef& b) { b.inertia = readInertia(e); }},
-      {"center_of_mass",
-       [](const Entry& e, BodyDef& b) { b.center_of_mass = readVector3(e, "m"); }},
-      {"parts", [](const Entry& e, BodyDef& b) { b.parts = readParts(e); }},
-      {"particles", [](const Entry& e, BodyDef& b) { b.particles = readParticles(e); }},
-      {"urdf", [](const Entry& e, BodyDef& b) { b.link = readLink(e); }},
+      {"shape", later},
+      {"mass", later},
+      {"density", later},
+      {"inertia", later},
+      {"center_of_mass", later},
+      {"parts", later},
+      {"particles", later},
+      {"urdf", later},
       {"position", [](const Entry& e, BodyDef& b) { b.position = readVector3(e, "m"); }},
       {"orientation", [](const Entry& e, BodyDef& b) { b.orientation = readQuaternion(e); }},
       {"twist", [](const Entry& e, BodyDef& b) { b.twist = readTwist(e); }},
@@ -101,7 +101,7 @@ BodyDef readBody(const Entry& list_item) {
   const Entry entry = list_item.as(placeOf(list_item));
   BodyDef body;
   readMapping(entry, keys, body);
-  body.matter_line = checkMatter(entry, body);
+  readComposition(entry, body);
   return body;
 }
 

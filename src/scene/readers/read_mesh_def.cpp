@@ -13,10 +13,11 @@ const MeshDef& solidOf(const Entry& file, const std::string& path, double scale)
   const auto known = context.meshes.find({path, scale});
   if (known != context.meshes.end()) return known->second;
   try {
-    const SolidMesh solid = readSolidMesh(path, scale);
-    if (!solid.notice.empty())
-      context.notices.push_back(file.located(file.key() + ": " + solid.notice));
-    return context.meshes[{path, scale}] = solid.def;
+    std::vector<std::string> notices;
+    const MeshDef def = readSolidMesh(path, scale, notices);
+    for (const std::string& notice : notices)
+      context.notices.push_back(file.located(file.key() + ": " + notice));
+    return context.meshes[{path, scale}] = def;
   } catch (const std::runtime_error& e) {
     file.fail(file.key() + ": " + e.what());
   }

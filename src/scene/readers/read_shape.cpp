@@ -44,19 +44,22 @@ Shape readRound(const Entry& value) {
 
 }  // namespace
 
-void readSolid(const Entry& entry, SolidDef& solid) {
-  const std::vector<Key<SolidDef>> keys = {
-      {"box", [](const Entry& e, SolidDef& s) { s.shape = Box{readSize(e)}; }},
-      {"sphere", [](const Entry& e, SolidDef& s) { s.shape = readSphere(e); }},
-      {"cylinder", [](const Entry& e, SolidDef& s) { s.shape = readRound<Cylinder>(e); }},
-      {"capsule", [](const Entry& e, SolidDef& s) { s.shape = readCapsule(e); }},
-      {"ellipsoid", [](const Entry& e, SolidDef& s) { s.shape = Ellipsoid{readSize(e)}; }},
-      {"cone", [](const Entry& e, SolidDef& s) { s.shape = readRound<Cone>(e); }},
-      {"mesh", [](const Entry& e, SolidDef& s) { s.mesh = readMeshDef(e); }},
+SolidGeometry readGeometry(const Entry& entry) {
+  using Geometry = SolidGeometry;
+  const std::vector<Key<Geometry>> keys = {
+      {"box", [](const Entry& e, Geometry& g) { g = Box{readSize(e)}; }},
+      {"sphere", [](const Entry& e, Geometry& g) { g = readSphere(e); }},
+      {"cylinder", [](const Entry& e, Geometry& g) { g = readRound<Cylinder>(e); }},
+      {"capsule", [](const Entry& e, Geometry& g) { g = readCapsule(e); }},
+      {"ellipsoid", [](const Entry& e, Geometry& g) { g = Ellipsoid{readSize(e)}; }},
+      {"cone", [](const Entry& e, Geometry& g) { g = readRound<Cone>(e); }},
+      {"mesh", [](const Entry& e, Geometry& g) { g = readMeshDef(e); }},
   };
-  readMapping(entry, keys, solid);
+  SolidGeometry geometry;
+  readMapping(entry, keys, geometry);
   const std::size_t count = entry.node().children.size();
   if (count != 1) entry.fail(entry.key() + " must name one shape, got " + std::to_string(count));
+  return geometry;
 }
 
 }  // namespace rigid_body_sim

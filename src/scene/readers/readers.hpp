@@ -11,8 +11,8 @@ WrenchDef readWrench(const Entry& entry);
 ForceDef readForce(const Entry& entry);
 Drag readDrag(const Entry& entry);
 
-/// The value of `shape`: fills in either the shape or the mesh.
-void readSolid(const Entry& entry, SolidDef& solid);
+/// The value of `shape`.
+SolidGeometry readGeometry(const Entry& entry);
 
 /// The value of `mesh` within a shape; reads the file.
 MeshDef readMeshDef(const Entry& entry);
@@ -20,15 +20,8 @@ MeshDef readMeshDef(const Entry& entry);
 /// The value of `urdf`; reads the file.
 LinkDef readLink(const Entry& entry);
 
-Matrix3d readInertia(const Entry& entry);
-std::vector<PartDef> readParts(const Entry& entry);
-Particles readParticles(const Entry& entry);
-
-/// Refuses keys of a body, or a lack of them, that do not say once what it is made of. Returns the
-/// line of the key that does.
-int checkMatter(const Entry& entry, const BodyDef& body);
-
-/// A shape needs either mass or density. entry: the mapping that holds the three.
-void checkSolid(const Entry& entry, const SolidDef& solid);
+/// What the body is made of, from the keys that say so; refuses keys, or a lack of them, that do
+/// not say it once. entry: the mapping of the body.
+void readComposition(const Entry& entry, BodyDef& body);
 
 }  // namespace rigid_body_sim

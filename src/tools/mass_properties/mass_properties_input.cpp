@@ -6,7 +6,7 @@
 
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
-#include "scene/build/check_scene.hpp"
+#include "scene/build/body_mass.hpp"
 #include "scene/meshes/read_mesh.hpp"
 #include "scene/meshes/solid_mesh.hpp"
 #include "scene/readers/read_urdf.hpp"
@@ -23,24 +23,19 @@ std::string nameOf(const std::string& path) {
 }
 
 Masses massOfMesh(const MassPropertiesOptions& options) {
-  const SolidMesh solid = readSolidMesh(options.file, 1);
-  SolidDef def;
-  def.mesh = solid.def;
-  def.mass = options.mass;
-  if (!options.mass) def.density = options.density.value_or(kDensityOfWater);
-
-  const MassProperties mass = massProperties(def);
+  Masses masses;
+  const MeshDef mesh = readSolidMesh(options.file, 1, masses.notices);
+  const double density = options.density.value_or(kDensityOfWater);
+  const MassProperties mass =
+      massProperties(SolidDef{mesh, options.mass ? *options.mass : density * mesh.volume});
   const std::string fault = massPropertiesFault(mass);
   if (!fault.empty()) throw std::runtime_error(options.file + ": " + fault);
   std::ostringstream remark;
   remark.precision(10);
-  remark << "volume " << solid.def.volume << " m^3, density " << mass.mass / solid.def.volume
-         << " kg/m^3";
+  remark << "volume " << mesh.volume << " m^3, density " << mass.mass / mesh.volume << " kg/m^3";
   if (!options.mass && !options.density)
     remark << " (assumed: neither --density nor --mass is given)";
-  Masses masses;
   masses.bodies.push_back({nameOf(options.file), remark.str(), mass});
-  if (!solid.notice.empty()) masses.notices.push_back(solid.notice);
   return masses;
 }
 
