@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,7 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "dynamics/wrenches/wrench_schedule.hpp"
-#include "ros/inputs/static_frames.hpp"
 #include "ros/inputs/wrench_intake.hpp"
-#include "ros/inputs/wrench_messages.hpp"
 #include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {
@@ -33,8 +32,6 @@ bodies:
 struct Target {
   Scene scene = parseScene(kScene, "fuzz.yaml");
   World world = buildWorld(scene);
-  FrameTable frames{scene, world.bodies};
-  IntakeRules rules{"map", 0.5};
   TimeOrigin origin{ros::Time(1700000000, 0)};
 };
 
@@ -61,21 +58,23 @@ bool isSound(const PointWrench& w, std::size_t bodies, double now) {
          w.torque.allFinite() && w.point.allFinite();
 }
 
-void take(const WrenchRequest& request, const StaticFrames& static_frames, const Target& target) {
-  constexpr double kNow = 4;
-  FrameTable frames = target.frames;
-  static_frames.lookUp(request.wrench.frame, frames);
-  static_frames.lookUp(request.wrench.point_frame, frames);
-  const ResolvedWrench taken = takeWrench(request, target.world.bodies, frames, target.rules, kNow);
-  if (!taken.fault.empty()) {
-    if (taken.fault.find_first_of("\n\r") != std::string::npos || taken.fault.size() > 1000)
-      std::abort();
+constexpr double kNow = 4;
+
+/// resolve(): the input that the intake makes of a message.
+template <class Resolve>
+void take(std::size_t bodies, const Resolve& resolve) {
+  WrenchInput input;
+  try {
+    input = resolve();
+  } catch (const std::invalid_argument& refused) {
+    const std::string fault = refused.what();
+    if (fault.find_first_of("\n\r") != std::string::npos || fault.size() > 1000) std::abort();
     return;
   }
-  if (!isSound(taken.wrench, target.world.bodies.size(), kNow)) std::abort();
+  if (!isSound(input.wrench, bodies, kNow)) std::abort();
   WrenchSchedule schedule;
-  schedule.put(request.slot, taken.wrench, kNow);
-  schedule.advanceTo(taken.wrench.start);
+  schedule.put(input.slot, input.wrench, kNow);
+  schedule.advanceTo(input.wrench.start);
   if (schedule.active().size() != 1) std::abort();
 }
 
@@ -99,12 +98,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (has_transforms && !holdsItsTransforms(bytes)) return -1;
   ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   try {
-    StaticFrames static_frames;
-    if (has_transforms) static_frames.add(received<tf2_msgs::TFMessage>(stream));
-    if (data[0] & 1)
-      take(toRequest("box", received<geometry_msgs::WrenchStamped>(stream)), static_frames, target);
-    else
-      take(toRequest(received<AppliedWrench>(stream), target.origin), static_frames, target);
+    WrenchIntake intake(target.scene, target.world.bodies, 0.5);
+    if (has_transforms) intake.add(received<tf2_msgs::TFMessage>(stream));
+    const std::size_t bodies = target.world.bodies.size();
+    if (data[0] & 1) {
+      const auto message = received<geometry_msgs::WrenchStamped>(stream);
+      take(bodies, [&] { return intake.take("box", message, kNow); });
+    } else {
+      const auto message = received<AppliedWrench>(stream);
+      take(bodies, [&] { return intake.take(message, target.origin, kNow); });
+    }
   } catch (const ros::serialization::StreamOverrunException&) {
     return -1;  // not a message: not worth keeping
   }

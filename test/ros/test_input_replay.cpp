@@ -1,4 +1,7 @@
-#include <functional>
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -8,8 +11,9 @@
 
 #include "ros/inputs/input_messages.hpp"
 #include "ros/inputs/input_replay.hpp"
+#include "ros/inputs/inputs.hpp"
+#include "ros/inputs/state_requests.hpp"
 #include "ros/messages/conversions.hpp"
-#include "ros/node/state_requests.hpp"
 #include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {
@@ -32,18 +36,11 @@ Simulation simulationOf(const std::string& yaml) {
   return Simulation(world, initialState(scene, world));
 }
 
-/// Every way to change a run, by the core alone; what the node says of it is noted beside.
+/// A run that is changed in every way there is, and what the node records of it.
 class Recorded : public ::testing::Test {
  protected:
   void stepTo(std::int64_t step) {
     while (run.steps() < step) run.step();
-  }
-
-  void note(Input input) {
-    input.number = inputs.size();
-    input.step = static_cast<std::uint64_t>(run.steps());
-    input.time = run.time();
-    inputs.push_back(input);
   }
 
   void push(const std::string& slot, std::size_t body, std::size_t axes, double end) {
@@ -55,8 +52,17 @@ class Recorded : public ::testing::Test {
     wrench.point = Vector3d(0.3, 0.1, 1.0 / 7);
     wrench.start = run.time() + 0.00317;
     wrench.end = end;
-    note(wrenchInput(slot, wrench, run.world()));
-    run.applyWrench(slot, wrench);
+    node.apply(WrenchInput{slot, wrench});
+  }
+
+  SetState::Request poseAndTwist() const {
+    SetState::Request request;
+    request.body = request.frame = "box";
+    request.pose.position = toPoint(Vector3d(1, 2, 3));
+    request.pose.orientation = toQuaternion(Quaterniond(0.1, 0.7, 0.5, 0.5));
+    request.twist.linear = toVector3(Vector3d(0.1, 0.2, 0.3));
+    request.twist.angular = toVector3(Vector3d(1, -2, 1.0 / 3));
+    return request;
   }
 
   void wholeRun() {
@@ -65,35 +71,25 @@ class Recorded : public ::testing::Test {
     push("a", 0, kWorld, std::numeric_limits<double>::infinity());
     push("b", 1, 0, 9);  // axes of another body: couples the two
     stepTo(17);
-    note(clearInput("box", "a"));
-    run.clearWrenches(0, "a");
+    node.apply(ClearInput{0, "a"});
     stepTo(21);
-    SetState::Request request;
-    request.body = request.frame = "box";
-    request.pose.position = toPoint(Vector3d(1, 2, 3));
-    request.pose.orientation = toQuaternion(Quaterniond(0.5, 0.5, 0.5, 0.5));
-    request.twist.linear = toVector3(Vector3d(0.1, 0.2, 0.3));
-    note(setStateInput(request));
-    run.setState(0, takeState(request, run.world(), "world").state);
+    node.apply(takeState(poseAndTwist(), run.world(), "world"));
     stepTo(30);
-    note(clearInput("", ""));
-    run.clearWrenches();
+    node.apply(ClearInput{});
     push("c", 0, kWorld, 1);
     stepTo(40);
-    Input reset;
-    reset.kind = Input::RESET;
-    note(reset);
-    run.reset(false);
+    node.apply(ResetInput{false});
     push("d", 0, 0, 9);
     push("e", 1, 1, 9);
     stepTo(45);
-    note(clearInput("other", ""));
-    run.clearWrenches(1);
+    node.apply(ClearInput{1, ""});
     push("e", 1, 1, 9);
     stepTo(50);
-    note(clearInput("", "e"));
-    run.clearWrenches(0, "e");
-    run.clearWrenches(1, "e");
+    node.apply(ClearInput{ClearInput::kEveryBody, "e"});
+  }
+
+  InputReplay replayOf(const std::vector<Input>& messages) const {
+    return InputReplay(lastRun(messages, run.world(), "world"));
   }
 
   void replayTo(std::int64_t step, InputReplay& replay, Simulation& repeated) const {
@@ -103,12 +99,26 @@ class Recorded : public ::testing::Test {
     }
   }
 
-  /// What the replay of the inputs says is wrong with them.
+  void expectRepeated(InputReplay replay, std::int64_t end) {
+    Simulation repeated = simulationOf(kScene);
+    for (std::int64_t step : {end, end + 340}) {
+      stepTo(step);
+      replayTo(step, replay, repeated);
+      for (std::size_t i : {0U, 1U}) {
+        const BodyState& a = run.state().bodies[i];
+        const BodyState& b = repeated.state().bodies[i];
+        EXPECT_EQ(a.x_W, b.x_W);
+        EXPECT_EQ(a.q_WP.coeffs(), b.q_WP.coeffs());
+        EXPECT_EQ(a.p_W, b.p_W);
+        EXPECT_EQ(a.L_W, b.L_W);
+      }
+    }
+  }
+
+  /// Why a record is refused.
   std::string fault(const std::string& yaml = kScene) const {
     try {
-      InputReplay replay(inputs, "world");
-      Simulation repeated = simulationOf(yaml);
-      replayTo(60, replay, repeated);
+      lastRun(inputs, simulationOf(yaml).world(), "world");
     } catch (const std::invalid_argument& error) {
       return error.what();
     }
@@ -117,36 +127,55 @@ class Recorded : public ::testing::Test {
 
   Simulation run = simulationOf(kScene);
   std::vector<Input> inputs;
+  TimeOrigin origin;
+  Inputs node{{[] { return 1; },
+               [this](const Input& message, const ros::Time&) { inputs.push_back(message); }},
+              "world",
+              run,
+              origin};
 };
 
 }  // namespace
 
 TEST_F(Recorded, RunIsRepeatedToTheLastBit) {
   wholeRun();
-  InputReplay replay(inputs, "world");
-  Simulation repeated = simulationOf(kScene);
-  for (std::int64_t step : {51, 60, 400}) {
-    stepTo(step);
-    replayTo(step, replay, repeated);
-    for (std::size_t i : {0U, 1U}) {
-      const BodyState& a = run.state().bodies[i];
-      const BodyState& b = repeated.state().bodies[i];
-      EXPECT_EQ(a.x_W, b.x_W);
-      EXPECT_EQ(a.q_WP.coeffs(), b.q_WP.coeffs());
-      EXPECT_EQ(a.p_W, b.p_W);
-      EXPECT_EQ(a.L_W, b.L_W);
-    }
-  }
+  EXPECT_EQ(inputs.size(), 13U);
+  expectRepeated(replayOf(inputs), 60);
 }
 
-TEST_F(Recorded, EveryInputTellsInTheMotion) {
+// a record made before states were recorded in world axes: the request as it was
+TEST_F(Recorded, StateInBodyAxesIsReadFromAnOlderRecord) {
+  wholeRun();
+  Input& set = inputs[4];
+  ASSERT_EQ(set.kind, Input::SET_STATE);
+  EXPECT_EQ(set.frame, "world");
+  const SetState::Request request = poseAndTwist();
+  set.frame = request.frame;
+  set.pose = request.pose;
+  set.twist = request.twist;
+  expectRepeated(replayOf(inputs), 60);
+}
+
+TEST_F(Recorded, InputsThatRemainAtTheEndOfARunAreCounted) {
+  wholeRun();
+  InputReplay replay = replayOf(inputs);
+  Simulation repeated = simulationOf(kScene);
+  EXPECT_EQ(replay.lastStep(), 50U);
+  EXPECT_EQ(replay.remaining(), inputs.size());
+  replayTo(45, replay, repeated);
+  EXPECT_EQ(replay.remaining(), 3U);
+  replayTo(51, replay, repeated);
+  EXPECT_TRUE(replay.isDone());
+}
+
+TEST_F(Recorded, EveryInputChangesTheMotion) {
   wholeRun();
   stepTo(60);
   for (std::size_t left_out = 0; left_out < inputs.size(); ++left_out) {
     std::vector<Input> others = inputs;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
     for (std::size_t i = 0; i < others.size(); ++i) others[i].number = i;
-    InputReplay replay(others, "world");
+    InputReplay replay = replayOf(others);
     Simulation repeated = simulationOf(kScene);
     replayTo(60, replay, repeated);
     const bool same = run.state().bodies[0].x_W == repeated.state().bodies[0].x_W &&
@@ -159,23 +188,30 @@ TEST_F(Recorded, EveryInputTellsInTheMotion) {
 
 TEST_F(Recorded, OnlyTheLastRunCounts) {
   push("a", 0, 0, 9);
-  for (Input& input : inputs) input.run = 0;
-  std::vector<Input> earlier = inputs;
-  inputs.clear();
-  run = simulationOf(kScene);
-  Input restart;
-  restart.kind = Input::RESTART;
-  note(restart);
+  stepTo(7);
+  node.apply(ResetInput{true});
   stepTo(3);
   push("b", 1, kWorld, 9);
-  stepTo(60);
-  for (Input& input : inputs) input.run = 1;
-  inputs.insert(inputs.end(), earlier.begin(), earlier.end());  // a bag has them by time
-  InputReplay replay(inputs, "world");
-  Simulation repeated = simulationOf(kScene);
-  replayTo(60, replay, repeated);
-  EXPECT_EQ(run.state().bodies[0].x_W, repeated.state().bodies[0].x_W);
-  EXPECT_EQ(run.state().bodies[1].x_W, repeated.state().bodies[1].x_W);
+  std::reverse(inputs.begin(), inputs.end());  // the order in a bag does not count
+  EXPECT_EQ(inputs[0].run, 1U);
+  EXPECT_EQ(inputs[2].run, 0U);
+  InputReplay replay = replayOf(inputs);
+  EXPECT_EQ(replay.size(), 2U);
+  expectRepeated(replay, 60);
+}
+
+TEST_F(Recorded, NothingIsRecordedWithoutSubscribers) {
+  std::size_t subscribers = 0;
+  std::vector<Input> recorded;
+  Inputs unheard({[&] { return subscribers; },
+                  [&](const Input& message, const ros::Time&) { recorded.push_back(message); }},
+                 "world", run, origin);
+  unheard.apply(ClearInput{});
+  EXPECT_TRUE(recorded.empty());
+  subscribers = 1;
+  unheard.apply(ClearInput{});
+  ASSERT_EQ(recorded.size(), 1U);
+  EXPECT_EQ(recorded[0].number, 1U);  // so that a replay knows that one is missing
 }
 
 TEST_F(Recorded, RunThatLacksAnInputIsRefused) {
@@ -186,7 +222,16 @@ TEST_F(Recorded, RunThatLacksAnInputIsRefused) {
   EXPECT_NE(fault().find("input 0 of the run is missing"), std::string::npos) << fault();
 }
 
-TEST_F(Recorded, RunOfAnotherSceneIsRefused) {
+TEST_F(Recorded, StepThatGoesBackIsRefused) {
+  wholeRun();
+  inputs[5].step = 20;  // after one at step 21
+  inputs[5].time = 0.2;
+  EXPECT_EQ(fault(),
+            "input 5: was taken over after step 20, the one before after step 21: the record "
+            "mixes runs or has been changed");
+}
+
+TEST_F(Recorded, RunOfAnotherSceneIsRefusedBeforeItBegins) {
   wholeRun();
   std::string other_step = kScene;
   other_step.replace(other_step.find("0.01"), 4, "0.02");
@@ -195,7 +240,9 @@ TEST_F(Recorded, RunOfAnotherSceneIsRefused) {
       << fault(other_step);
   std::string other_body = kScene;
   other_body.replace(other_body.find("name: box"), 9, "name: bxo");
-  EXPECT_EQ(fault(other_body), "input 0: unknown body 'box'");
+  EXPECT_NE(fault(other_body).find("input 0: unknown body 'box'"), std::string::npos);
+  inputs[3].kind = 200;
+  EXPECT_EQ(fault(), "input 3: unknown kind of input 200");
 }
 
 }  // namespace rigid_body_sim

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ros/node/refusals.hpp"
+#include "ros/inputs/refusals.hpp"
 
 namespace rigid_body_sim {
 

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -7,17 +8,27 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "ros/inputs/wrench_intake.hpp"
-#include "ros/inputs/wrench_messages.hpp"
 #include "support/lopsided_box.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 /// Two bodies with their centres of mass off their origins, one fixed.
-class WrenchIntake : public ::testing::Test {
+class WrenchMessages : public ::testing::Test {
  protected:
-  ResolvedWrench take(const WrenchRequest& request) const {
-    return takeWrench(request, world.bodies, frames, rules, now);
+  using BodyWrench = geometry_msgs::WrenchStamped;
+
+  WrenchInput take(const BodyWrench& message) { return intake.take("box", message, now); }
+  WrenchInput take(const AppliedWrench& message) { return intake.take(message, origin, now); }
+
+  template <class Message>
+  std::string fault(const Message& message) {
+    try {
+      take(message);
+    } catch (const std::invalid_argument& refused) {
+      return refused.what();
+    }
+    return "";
   }
 
   /// Force and torque about the centre of mass [world axes] at the initial state.
@@ -32,23 +43,22 @@ class WrenchIntake : public ::testing::Test {
     return wrench;
   }
 
-  /// On <body>/wrench.
-  WrenchRequest everyday(const std::string& frame) const {
-    WrenchRequest request = general(frame);
-    request.slot = "frame " + frame;
-    request.placed_by_frame = true;
-    return request;
+  BodyWrench onBody(const std::string& frame) const {
+    BodyWrench message;
+    message.header.frame_id = frame;
+    message.wrench.force = toVector3(F);
+    message.wrench.torque = toVector3(T);
+    return message;
   }
-  /// On the topic `wrench`.
-  WrenchRequest general(const std::string& frame) const {
-    WrenchRequest request;
-    request.slot = "id a";
-    request.wrench.body = "box";
-    request.wrench.frame = frame;
-    request.wrench.force = F;
-    request.wrench.torque = T;
-    request.wrench.start = -std::numeric_limits<double>::infinity();
-    return request;
+
+  AppliedWrench applied(const std::string& frame) const {
+    AppliedWrench message;
+    message.header.frame_id = frame;
+    message.body = "box";
+    message.id = "a";
+    message.wrench.force = toVector3(F);
+    message.wrench.torque = toVector3(T);
+    return message;
   }
 
   const Scene scene = parseScene(R"(
@@ -64,8 +74,8 @@ bodies:
                                  "test");
   const World world = buildWorld(scene);
   const State state = initialState(scene, world);
-  const FrameTable frames{scene, world.bodies};
-  IntakeRules rules{"map", 0.5};
+  WrenchIntake intake{scene, world.bodies, 0.5};
+  TimeOrigin origin{ros::Time(1700000000, 500000000)};
   double now = 4;
 
   const Vector3d F{1, -2, 3};
@@ -79,120 +89,131 @@ bodies:
 
 }  // namespace
 
-TEST_F(WrenchIntake, TakesWorldAxesAtTheCentreOfMass) {
-  const ResolvedWrench taken = take(everyday("map"));
-  ASSERT_EQ(taken.fault, "");
-  EXPECT_EQ(force(taken.wrench), F);
-  EXPECT_EQ(torque(taken.wrench), T);  // no lever at all, not even one of rounding
+TEST_F(WrenchMessages, TakesWorldAxesAtTheCentreOfMass) {
+  const PointWrench taken = take(onBody("map")).wrench;
+  EXPECT_EQ(force(taken), F);
+  EXPECT_EQ(torque(taken), T);  // no lever at all, not even one of rounding
 }
 
-TEST_F(WrenchIntake, TakesBodyAxesAtTheBodyOrigin) {
-  const ResolvedWrench taken = take(everyday("box"));
-  ASSERT_EQ(taken.fault, "");
-  EXPECT_LE((force(taken.wrench) - q_WB * F).norm(), tolerance);
-  EXPECT_LE((torque(taken.wrench) - q_WB * (T - com.cross(F))).norm(), tolerance);
+TEST_F(WrenchMessages, TakesBodyAxesAtTheBodyOrigin) {
+  const PointWrench taken = take(onBody("box")).wrench;
+  EXPECT_LE((force(taken) - q_WB * F).norm(), tolerance);
+  EXPECT_LE((torque(taken) - q_WB * (T - com.cross(F))).norm(), tolerance);
 }
 
-TEST_F(WrenchIntake, TakesTheAxesOfANamedPointAtThatPoint) {
-  const ResolvedWrench taken = take(everyday("box/tip"));
-  ASSERT_EQ(taken.fault, "");
+TEST_F(WrenchMessages, TakesTheAxesOfANamedPointAtThatPoint) {
+  const PointWrench taken = take(onBody("box/tip")).wrench;
   const Vector3d F_B = q_BF * F;
   const Vector3d arm_B = Vector3d(1, 0, 0) - com;
-  EXPECT_LE((force(taken.wrench) - q_WB * F_B).norm(), tolerance);
-  EXPECT_LE((torque(taken.wrench) - q_WB * (q_BF * T + arm_B.cross(F_B))).norm(), tolerance);
+  EXPECT_LE((force(taken) - q_WB * F_B).norm(), tolerance);
+  EXPECT_LE((torque(taken) - q_WB * (q_BF * T + arm_B.cross(F_B))).norm(), tolerance);
 }
 
-TEST_F(WrenchIntake, TakesAnyAxesAtAnyPointThroughTheGeneralDoor) {
-  WrenchRequest request = general("other");
-  request.wrench.point_frame = "map";
-  request.wrench.point = Vector3d(5, 5, 5);
-  const ResolvedWrench taken = take(request);
-  ASSERT_EQ(taken.fault, "");
+TEST_F(WrenchMessages, TakesAnyAxesAtAnyPointWhereBothAreNamed) {
+  AppliedWrench message = applied("other");
+  message.point_frame = "map";
+  message.point = toPoint(Vector3d(5, 5, 5));
+  const PointWrench taken = take(message).wrench;
   const Vector3d arm_W = Vector3d(5, 5, 5) - (Vector3d(1, 2, 3) + q_WB * com);
-  EXPECT_LE((force(taken.wrench) - F).norm(), tolerance);  // `other` is not turned
-  EXPECT_LE((torque(taken.wrench) - (T + arm_W.cross(F))).norm(), tolerance);
+  EXPECT_LE((force(taken) - F).norm(), tolerance);  // `other` is not turned
+  EXPECT_LE((torque(taken) - (T + arm_W.cross(F))).norm(), tolerance);
 }
 
-TEST_F(WrenchIntake, PutsThePointInTheBodyFrameByDefault) {
-  WrenchRequest request = general("map");
-  request.wrench.point = Vector3d(1, 0, 0);
-  const ResolvedWrench taken = take(request);
-  ASSERT_EQ(taken.fault, "");
+TEST_F(WrenchMessages, PutsThePointInTheBodyFrameByDefault) {
+  AppliedWrench message = applied("map");
+  message.point.x = 1;
+  const PointWrench taken = take(message).wrench;
   const Vector3d arm_W = q_WB * (Vector3d(1, 0, 0) - com);
-  EXPECT_LE((torque(taken.wrench) - (T + arm_W.cross(F))).norm(), tolerance);
+  EXPECT_LE((torque(taken) - (T + arm_W.cross(F))).norm(), tolerance);
 }
 
-TEST_F(WrenchIntake, HoldsWhatHasNoDurationUntilTheTimeout) {
-  EXPECT_EQ(take(everyday("map")).wrench.start, 4);
-  EXPECT_EQ(take(everyday("map")).wrench.end, 4.5);
-  EXPECT_EQ(take(general("map")).wrench.end, 4.5);
-  rules.wrench_timeout = 0;
-  EXPECT_EQ(take(everyday("map")).wrench.end, std::numeric_limits<double>::infinity());
+TEST_F(WrenchMessages, HasOneSlotForEachFrameAndOneForEachId) {
+  const std::string of_id = take(applied("map")).slot;
+  AppliedWrench message = applied("box");
+  EXPECT_EQ(take(message).slot, of_id);
+  message.id = "map";
+  EXPECT_NE(take(message).slot, of_id);
+  EXPECT_NE(take(message).slot, take(onBody("map")).slot);
+  EXPECT_NE(take(onBody("box")).slot, take(onBody("map")).slot);
+  message.id = "";
+  message.duration = ros::Duration(1);
+  EXPECT_EQ(take(message).slot, "");
 }
 
-TEST_F(WrenchIntake, EndsADurationExactly) {
-  WrenchRequest request = general("map");
-  request.wrench.duration = 2.00491;
-  EXPECT_EQ(take(request).wrench.start, 4);
-  EXPECT_EQ(take(request).wrench.end, 4 + 2.00491);
+TEST_F(WrenchMessages, HoldsWhatHasNoDurationUntilTheTimeout) {
+  EXPECT_EQ(take(onBody("map")).wrench.start, 4);
+  EXPECT_EQ(take(onBody("map")).wrench.end, 4.5);
+  EXPECT_EQ(take(applied("map")).wrench.end, 4.5);
+  WrenchIntake for_ever(scene, world.bodies, 0);
+  EXPECT_EQ(for_ever.take("box", onBody("map"), 4).wrench.end,
+            std::numeric_limits<double>::infinity());
 }
 
-TEST_F(WrenchIntake, StartsNowWhatShouldHaveStartedAndLaterWhatIsToCome) {
-  WrenchRequest request = general("map");
-  request.wrench.duration = 1;
-  request.wrench.start = 3;
-  EXPECT_EQ(take(request).wrench.start, 4);
-  EXPECT_EQ(take(request).wrench.end, 5);
-  request.wrench.start = 7.25;
-  EXPECT_EQ(take(request).wrench.start, 7.25);
-  EXPECT_EQ(take(request).wrench.end, 8.25);
+TEST_F(WrenchMessages, EndsADurationExactly) {
+  AppliedWrench message = applied("map");
+  message.duration = ros::Duration(2, 4910000);
+  EXPECT_EQ(take(message).wrench.start, 4);
+  EXPECT_EQ(take(message).wrench.end, 4 + 2.00491);
 }
 
-TEST_F(WrenchIntake, RefusesADurationThatIsNegativeOrNeedsAnId) {
-  WrenchRequest request = general("map");
-  request.wrench.duration = -1;
-  EXPECT_EQ(take(request).fault, "duration must be >= 0 s, got -1");
-  request.wrench.duration = 0;
-  request.slot = "";
-  EXPECT_EQ(take(request).fault, "duration must be > 0 s where id is empty, got 0");
+TEST_F(WrenchMessages, StartsNowWhatShouldHaveStartedAndLaterWhatIsToCome) {
+  AppliedWrench message = applied("map");
+  message.duration = ros::Duration(1);
+  message.start = origin.stamp(3);
+  EXPECT_EQ(take(message).wrench.start, 4);
+  EXPECT_EQ(take(message).wrench.end, 5);
+  message.start = ros::Time();
+  EXPECT_EQ(take(message).wrench.start, 4);
+  message.start = origin.stamp(7.25);
+  EXPECT_EQ(take(message).wrench.start, 7.25);
+  EXPECT_EQ(take(message).wrench.end, 8.25);
 }
 
-TEST_F(WrenchIntake, RefusesAnIdThatIsTooLongToKeep) {
-  WrenchRequest request = general("map");
-  request.slot = slotOfId(std::string(4096, 'a'));
-  EXPECT_EQ(take(request).fault, "");
-  request.slot = slotOfId(std::string(4097, 'a'));
-  EXPECT_EQ(take(request).fault, "id must have at most 4096 bytes, got 4097");
+TEST_F(WrenchMessages, RefusesADurationThatIsNegativeOrNeedsAnId) {
+  AppliedWrench message = applied("map");
+  message.duration = ros::Duration(-1);
+  EXPECT_EQ(fault(message), "duration must be >= 0 s, got -1");
+  message.duration = ros::Duration();
+  message.id = "";
+  EXPECT_EQ(fault(message), "duration must be > 0 s where id is empty, got 0");
 }
 
-TEST_F(WrenchIntake, RefusesNumbersThatAreNotFinite) {
+TEST_F(WrenchMessages, RefusesAnIdThatIsTooLongToKeep) {
+  AppliedWrench message = applied("map");
+  message.id = std::string(4096, 'a');
+  EXPECT_EQ(fault(message), "");
+  message.id += 'a';
+  EXPECT_EQ(fault(message), "id must have at most 4096 bytes, got 4097");
+}
+
+TEST_F(WrenchMessages, RefusesNumbersThatAreNotFinite) {
   for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-    WrenchRequest request = everyday("box");
-    request.wrench.force.y() = bad;
-    EXPECT_NE(take(request).fault.find("force must be finite"), std::string::npos);
-    request = everyday("box");
-    request.wrench.torque.z() = bad;
-    EXPECT_NE(take(request).fault.find("torque must be finite"), std::string::npos);
-    request = general("box");
-    request.wrench.point.x() = bad;
-    EXPECT_NE(take(request).fault.find("point must be finite"), std::string::npos);
+    BodyWrench on_body = onBody("box");
+    on_body.wrench.force.y = bad;
+    EXPECT_NE(fault(on_body).find("force must be finite"), std::string::npos);
+    on_body = onBody("box");
+    on_body.wrench.torque.z = bad;
+    EXPECT_NE(fault(on_body).find("torque must be finite"), std::string::npos);
+    AppliedWrench message = applied("box");
+    message.point.x = bad;
+    EXPECT_NE(fault(message).find("point must be finite"), std::string::npos);
   }
 }
 
-TEST_F(WrenchIntake, RefusesWhatItDoesNotKnow) {
-  EXPECT_NE(take(everyday("")).fault.find("unknown frame ''"), std::string::npos);
-  EXPECT_NE(take(general("box/tail")).fault.find("unknown frame 'box/tail'"), std::string::npos);
-  WrenchRequest request = general("map");
-  request.wrench.body = "bxo";
-  EXPECT_NE(take(request).fault.find("unknown body 'bxo'"), std::string::npos);
-  request = general("map");
-  request.wrench.point_frame = "nowhere";
-  EXPECT_NE(take(request).fault.find("'nowhere'"), std::string::npos);
+TEST_F(WrenchMessages, RefusesWhatItDoesNotKnow) {
+  EXPECT_NE(fault(onBody("")).find("unknown frame ''"), std::string::npos);
+  EXPECT_NE(fault(applied("box/tail")).find("unknown frame 'box/tail'"), std::string::npos);
+  AppliedWrench message = applied("map");
+  message.body = "bxo";
+  EXPECT_NE(fault(message).find("unknown body 'bxo'"), std::string::npos);
+  message = applied("map");
+  message.point_frame = "nowhere";
+  EXPECT_NE(fault(message).find("'nowhere'"), std::string::npos);
 }
 
-TEST_F(WrenchIntake, RefusesAFrameThatDoesNotSayWhereOnTheBody) {
-  EXPECT_EQ(take(everyday("other")).fault, "frame 'other' must be 'map' or fixed to body 'box'");
-  EXPECT_EQ(take(everyday("post")).fault, "frame 'post' must be 'map' or fixed to body 'box'");
+TEST_F(WrenchMessages, RefusesAFrameThatDoesNotSayWhereOnTheBody) {
+  EXPECT_EQ(fault(onBody("other")), "frame 'other' must be 'map' or fixed to body 'box'");
+  EXPECT_EQ(fault(onBody("post")), "frame 'post' must be 'map' or fixed to body 'box'");
 }
 
 }  // namespace rigid_body_sim

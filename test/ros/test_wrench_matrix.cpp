@@ -9,9 +9,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "ros/inputs/static_frames.hpp"
 #include "ros/inputs/wrench_intake.hpp"
-#include "ros/inputs/wrench_messages.hpp"
 #include "ros/messages/conversions.hpp"
 
 namespace rigid_body_sim {
@@ -58,19 +56,13 @@ class WrenchMatrix : public ::testing::TestWithParam<Placement> {
     tf2_msgs::TFMessage hung;
     hung.transforms.push_back(toTransform(kNozzle, "box", "nozzle", ros::Time(1)));
     hung.transforms.push_back(toTransform(kPort, "other", "port", ros::Time(1)));
-    statics.add(hung);
+    intake.add(hung);
     motion["box"].x_W = Vector3d(-3, 1, 4);
     motion["box"].q_WB = Quaterniond(0.1, -0.7, 0.5, 0.5);
     motion["box"].q_WB.coeffs() /= motion["box"].q_WB.norm();
     motion["other"].x_W = Vector3d(2, 7, -1);
     motion["other"].q_WB = Quaterniond(0.6, 0, -0.8, 0);
     for (const Body& body : world.bodies) later.push_back(toBodyState(body, motion[body.name]));
-  }
-
-  ResolvedWrench take(const WrenchRequest& request) {
-    statics.lookUp(request.wrench.frame, frames);
-    statics.lookUp(request.wrench.point_frame, frames);
-    return takeWrench(request, world.bodies, frames, {"world", 0.5}, 4);
   }
 
   /// A frame where the bodies are later.
@@ -96,8 +88,7 @@ class WrenchMatrix : public ::testing::TestWithParam<Placement> {
 
   const Scene scene = sceneOf(GetParam());
   const World world = buildWorld(scene);
-  FrameTable frames{scene, world.bodies};
-  StaticFrames statics;
+  WrenchIntake intake{scene, world.bodies, 0.5};
   std::map<std::string, BodyFrameMotion> motion;
   std::vector<BodyState> later;
   const Vector3d f{1, -2, 3}, tau{0.5, 0.25, -1}, point{0.7, -0.4, 0.2};
@@ -107,25 +98,24 @@ class WrenchMatrix : public ::testing::TestWithParam<Placement> {
 
 }  // namespace
 
-TEST_P(WrenchMatrix, EverydayDoorTakesTheFramesOfItsBodyAndTheWorld) {
+TEST_P(WrenchMatrix, BodyTopicTakesTheFramesOfItsBodyAndTheWorld) {
   for (const std::string frame : kFrames) {
     SCOPED_TRACE(frame);
     geometry_msgs::WrenchStamped message;
     message.header.frame_id = frame;
     message.wrench.force = toVector3(f);
     message.wrench.torque = toVector3(tau);
-    const ResolvedWrench taken = take(toRequest("box", message));
     if (frame == "other" || frame == "port") {
-      EXPECT_EQ(taken.fault, "frame '" + frame + "' must be 'world' or fixed to body 'box'");
+      EXPECT_THROW(intake.take("box", message, 4), std::invalid_argument);
       continue;
     }
-    ASSERT_EQ(taken.fault, "");
+    const PointWrench taken = intake.take("box", message, 4).wrench;
     const Vector3d com_W = poseOf("box") * std::get<0>(GetParam());
-    expectWrench(taken.wrench, frame, frame == "world" ? com_W : poseOf(frame).translation());
+    expectWrench(taken, frame, frame == "world" ? com_W : poseOf(frame).translation());
   }
 }
 
-TEST_P(WrenchMatrix, GeneralDoorTakesAnyAxesAtAPointOfAnyFrame) {
+TEST_P(WrenchMatrix, AnyAxesAreTakenAtAPointOfAnyFrame) {
   for (const std::string axes : kFrames) {
     for (const std::string point_frame : kFrames) {
       SCOPED_TRACE(axes + " at a point of " + point_frame);
@@ -137,9 +127,7 @@ TEST_P(WrenchMatrix, GeneralDoorTakesAnyAxesAtAPointOfAnyFrame) {
       message.point = toPoint(point);
       message.wrench.force = toVector3(f);
       message.wrench.torque = toVector3(tau);
-      const ResolvedWrench taken = take(toRequest(message, TimeOrigin()));
-      ASSERT_EQ(taken.fault, "");
-      expectWrench(taken.wrench, axes, poseOf(point_frame) * point);
+      expectWrench(intake.take(message, TimeOrigin(), 4).wrench, axes, poseOf(point_frame) * point);
     }
   }
 }
@@ -152,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(CentreOfMassAndAttitude, WrenchMatrix,
 
 namespace {
 
-/// One message on the general door.
+/// One message on ~wrench.
 struct Push {
   int step;  // that it arrives at
   const char* id;
@@ -183,7 +171,7 @@ bodies: [{name: ball, shape: {sphere: {radius: 1}}, mass: 2}]
                            "test");
   scene.integrator = integrator;
   const World world = buildWorld(scene);
-  const FrameTable frames(scene, world.bodies);
+  WrenchIntake intake(scene, world.bodies, test_case.timeout);
   Simulation run(world, initialState(scene, world));
   while (run.steps() < 200) {
     for (const Push& push : test_case.pushes) {
@@ -195,11 +183,7 @@ bodies: [{name: ball, shape: {sphere: {radius: 1}}, mass: 2}]
       message.wrench.force.x = message.wrench.torque.y = push.x;
       message.start = ros::Time(push.start);
       message.duration = ros::Duration(push.duration);
-      const WrenchRequest request = toRequest(message, TimeOrigin());
-      const ResolvedWrench taken =
-          takeWrench(request, world.bodies, frames, {"world", test_case.timeout}, run.time());
-      ASSERT_EQ(taken.fault, "");
-      run.applyWrench(request.slot, taken.wrench);
+      run.apply(intake.take(message, TimeOrigin(), run.time()));
     }
     run.step();
   }

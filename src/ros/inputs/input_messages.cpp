@@ -2,121 +2,113 @@
 
 #include <stdexcept>
 
+#include "ros/inputs/state_requests.hpp"
 #include "ros/messages/body_index.hpp"
 #include "ros/messages/conversions.hpp"
-#include "ros/node/state_requests.hpp"
-#include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-std::string nameOf(std::size_t body, const World& world) {
-  return body == kWorld ? "" : world.bodies[body].name;
-}
-
-std::size_t bodyNamed(const std::string& name, const World& world) {
-  const std::size_t i = indexOf(name, world.bodies);
-  if (i == world.bodies.size())
-    throw std::invalid_argument("unknown body '" + printable(name) + "'");
-  return i;
+/// Empty for the world; an index that is of no body stands for the body acted on.
+std::string frameName(std::size_t index, std::size_t acted_on, const World& world) {
+  if (index == kWorld) return "";
+  return world.bodies[index < world.bodies.size() ? index : acted_on].name;
 }
 
 std::size_t frameOf(const std::string& name, const World& world) {
-  return name.empty() ? kWorld : bodyNamed(name, world);
+  return name.empty() ? kWorld : bodyNamed(name, world.bodies);
 }
 
-PointWrench wrenchOf(const Input& input, const World& world) {
+Input messageOf(const WrenchInput& input, const World& world, const std::string&) {
+  const PointWrench& wrench = input.wrench;
+  Input message;
+  message.kind = Input::WRENCH;
+  message.body = world.bodies[wrench.body].name;
+  message.slot = input.slot;
+  message.axes = frameName(wrench.axes, wrench.body, world);
+  message.wrench.force = toVector3(wrench.force);
+  message.wrench.torque = toVector3(wrench.torque);
+  message.point_frame = frameName(wrench.point_frame, wrench.body, world);
+  message.point = toPoint(wrench.point);
+  message.start = wrench.start;
+  message.end = wrench.end;
+  return message;
+}
+
+Input messageOf(const ClearInput& input, const World& world, const std::string&) {
+  Input message;
+  message.kind = Input::CLEAR;
+  if (input.body != ClearInput::kEveryBody) message.body = world.bodies[input.body].name;
+  message.slot = input.slot;
+  return message;
+}
+
+Input messageOf(const StateInput& input, const World& world, const std::string& world_frame) {
+  Input message;
+  message.kind = Input::SET_STATE;
+  message.body = world.bodies[input.body].name;
+  message.frame = world_frame;
+  message.pose = toPose(input.motion);
+  message.twist.linear = toVector3(input.motion.v_W);
+  message.twist.angular = toVector3(input.motion.w_W);
+  return message;
+}
+
+Input messageOf(const ResetInput& input, const World&, const std::string&) {
+  Input message;
+  message.kind = input.restart_time ? Input::RESTART : Input::RESET;
+  return message;
+}
+
+WrenchInput wrenchOf(const Input& message, const World& world) {
   PointWrench wrench;
-  wrench.body = bodyNamed(input.body, world);
-  wrench.axes = frameOf(input.axes, world);
-  wrench.force = fromVector3(input.wrench.force);
-  wrench.torque = fromVector3(input.wrench.torque);
-  wrench.point_frame = frameOf(input.point_frame, world);
-  wrench.point = fromPoint(input.point);
-  wrench.start = input.start;
-  wrench.end = input.end;
-  return wrench;
+  wrench.body = bodyNamed(message.body, world.bodies);
+  wrench.axes = frameOf(message.axes, world);
+  wrench.force = fromVector3(message.wrench.force);
+  wrench.torque = fromVector3(message.wrench.torque);
+  wrench.point_frame = frameOf(message.point_frame, world);
+  wrench.point = fromPoint(message.point);
+  wrench.start = message.start;
+  wrench.end = message.end;
+  return {message.slot, wrench};
 }
 
-void clear(const Input& input, Simulation& simulation) {
-  if (!input.body.empty()) {
-    const std::size_t body = bodyNamed(input.body, simulation.world());
-    if (input.slot.empty())
-      simulation.clearWrenches(body);
-    else
-      simulation.clearWrenches(body, input.slot);
-  } else if (input.slot.empty()) {
-    simulation.clearWrenches();
-  } else {
-    simulation.clearWrenches(input.slot);
-  }
+ClearInput clearOf(const Input& message, const World& world) {
+  ClearInput input;
+  if (!message.body.empty()) input.body = bodyNamed(message.body, world.bodies);
+  input.slot = message.slot;
+  return input;
 }
 
-void setState(const Input& input, const std::string& world_frame, Simulation& simulation) {
+StateInput stateOf(const Input& message, const World& world, const std::string& world_frame) {
   SetState::Request request;
-  request.body = input.body;
-  request.frame = input.frame;
-  request.pose = input.pose;
-  request.twist = input.twist;
-  const RequestedState requested = takeState(request, simulation.world(), world_frame);
-  if (!requested.fault.empty()) throw std::invalid_argument(requested.fault);
-  simulation.setState(requested.body, requested.state);
+  request.body = message.body;
+  request.frame = message.frame;
+  request.pose = message.pose;
+  request.twist = message.twist;
+  return takeState(request, world, world_frame);
 }
 
 }  // namespace
 
-Input wrenchInput(const std::string& slot, const PointWrench& wrench, const World& world) {
-  Input input;
-  input.kind = Input::WRENCH;
-  input.body = nameOf(wrench.body, world);
-  input.slot = slot;
-  input.axes = nameOf(wrench.axes, world);
-  input.wrench.force = toVector3(wrench.force);
-  input.wrench.torque = toVector3(wrench.torque);
-  input.point_frame = nameOf(wrench.point_frame, world);
-  input.point = toPoint(wrench.point);
-  input.start = wrench.start;
-  input.end = wrench.end;
-  return input;
+Input toMessage(const SimulationInput& input, const World& world, const std::string& world_frame) {
+  return std::visit([&](const auto& kind) { return messageOf(kind, world, world_frame); }, input);
 }
 
-Input clearInput(const std::string& body, const std::string& slot) {
-  Input input;
-  input.kind = Input::CLEAR;
-  input.body = body;
-  input.slot = slot;
-  return input;
-}
-
-Input setStateInput(const SetState::Request& request) {
-  Input input;
-  input.kind = Input::SET_STATE;
-  input.body = request.body;
-  input.frame = request.frame;
-  input.pose = request.pose;
-  input.twist = request.twist;
-  return input;
-}
-
-void applyInput(const Input& input, const std::string& world_frame, Simulation& simulation) {
-  switch (input.kind) {
+SimulationInput toInput(const Input& message, const World& world, const std::string& world_frame) {
+  switch (message.kind) {
     case Input::WRENCH:
-      simulation.applyWrench(input.slot, wrenchOf(input, simulation.world()));
-      break;
+      return wrenchOf(message, world);
     case Input::CLEAR:
-      clear(input, simulation);
-      break;
+      return clearOf(message, world);
     case Input::SET_STATE:
-      setState(input, world_frame, simulation);
-      break;
+      return stateOf(message, world, world_frame);
     case Input::RESET:
-      simulation.reset(false);
-      break;
+      return ResetInput{false};
     case Input::RESTART:
-      simulation.reset(true);
-      break;
+      return ResetInput{true};
     default:
-      throw std::invalid_argument("unknown kind of input " + std::to_string(input.kind));
+      throw std::invalid_argument("unknown kind of input " + std::to_string(message.kind));
   }
 }
 

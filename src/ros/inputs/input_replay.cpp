@@ -3,52 +3,87 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "ros/inputs/input_messages.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-std::string mismatch(const Input& input, double time) {
+/// Keeps the messages of the last run, in the order in which they were applied.
+void keepLastRun(std::vector<Input>& messages) {
+  std::uint32_t last_run = 0;
+  for (const Input& message : messages) last_run = std::max(last_run, message.run);
+  messages.erase(std::remove_if(messages.begin(), messages.end(),
+                                [&](const Input& message) { return message.run != last_run; }),
+                 messages.end());
+  std::sort(messages.begin(), messages.end(),
+            [](const Input& a, const Input& b) { return a.number < b.number; });
+}
+
+void requireComplete(const std::vector<Input>& messages) {
+  for (std::size_t i = 0; i < messages.size(); ++i)
+    if (messages[i].number != i)
+      throw std::invalid_argument("input " + std::to_string(i) +
+                                  " of the run is missing: the record must begin before the "
+                                  "first input and lose none");
+}
+
+void requireAfter(std::uint64_t before, const Input& message) {
+  if (message.step < before)
+    throw std::invalid_argument("was taken over after step " + std::to_string(message.step) +
+                                ", the one before after step " + std::to_string(before) +
+                                ": the record mixes runs or has been changed");
+}
+
+void requireStepOf(const World& world, const Input& message) {
+  const double time = static_cast<double>(message.step) * world.solver.time_step;
+  if (message.time == time) return;
   std::ostringstream text;
   text.precision(17);
-  text << "was taken over after step " << input.step << " at " << input.time << " s, which is at "
-       << time << " s in this scene: another time_step";
-  return text.str();
+  text << "was taken over after step " << message.step << " at " << message.time
+       << " s, which is at " << time << " s in this scene: another time_step";
+  throw std::invalid_argument(text.str());
+}
+
+/// Calls a function for one of the inputs; what it throws begins with the number of that input.
+template <class Function>
+auto naming(std::size_t number, const Function& function) {
+  try {
+    return function();
+  } catch (const std::invalid_argument& fault) {
+    throw std::invalid_argument("input " + std::to_string(number) + ": " + fault.what());
+  }
+}
+
+bool movesBodies(const SimulationInput& input) {
+  return std::holds_alternative<StateInput>(input) || std::holds_alternative<ResetInput>(input);
 }
 
 }  // namespace
 
-InputReplay::InputReplay(std::vector<Input> inputs, const std::string& world_frame)
-    : inputs_(std::move(inputs)), world_frame_(world_frame) {
-  std::uint32_t last_run = 0;
-  for (const Input& input : inputs_) last_run = std::max(last_run, input.run);
-  inputs_.erase(std::remove_if(inputs_.begin(), inputs_.end(),
-                               [&](const Input& input) { return input.run != last_run; }),
-                inputs_.end());
-  std::sort(inputs_.begin(), inputs_.end(),
-            [](const Input& a, const Input& b) { return a.number < b.number; });
-  for (std::size_t i = 0; i < inputs_.size(); ++i)
-    if (inputs_[i].number != i)
-      throw std::invalid_argument("input " + std::to_string(i) +
-                                  " of the run is missing: the record must begin before the "
-                                  "first input and lose none");
+std::vector<TimedInput> lastRun(std::vector<Input> messages, const World& world,
+                                const std::string& world_frame) {
+  keepLastRun(messages);
+  requireComplete(messages);
+  std::vector<TimedInput> inputs;
+  inputs.reserve(messages.size());
+  for (const Input& message : messages) {
+    inputs.push_back(naming(inputs.size(), [&] {
+      requireAfter(inputs.empty() ? 0 : inputs.back().step, message);
+      requireStepOf(world, message);
+      return TimedInput{message.step, toInput(message, world, world_frame)};
+    }));
+  }
+  return inputs;
 }
 
 bool InputReplay::applyDue(Simulation& simulation) {
   bool moved = false;
   const auto step = static_cast<std::uint64_t>(simulation.steps());
   for (; next_ < inputs_.size() && inputs_[next_].step == step; ++next_) {
-    const Input& input = inputs_[next_];
-    try {
-      if (input.time != simulation.time())
-        throw std::invalid_argument(mismatch(input, simulation.time()));
-      applyInput(input, world_frame_, simulation);
-      moved = moved || (input.kind != Input::WRENCH && input.kind != Input::CLEAR);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("input " + std::to_string(next_) + ": " + error.what());
-    }
+    const SimulationInput& input = inputs_[next_].input;
+    naming(next_, [&] { simulation.apply(input); });
+    moved = moved || movesBodies(input);
   }
   return moved;
 }

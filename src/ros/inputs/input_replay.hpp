@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rigid_body_sim/Input.h>
@@ -8,25 +11,38 @@
 
 namespace rigid_body_sim {
 
-/// The inputs of a recorded run, applied to another at the same steps.
+/// An input and the step after which the simulation takes it over.
+struct TimedInput {
+  std::uint64_t step = 0;
+  SimulationInput input;
+};
+
+/// The inputs of the last run among messages of ~inputs, in any order. Throws
+/// std::invalid_argument, one line, when one of the run is missing, when the step of one is less
+/// than that of the one before, and for an input that is not of a run of this world.
+std::vector<TimedInput> lastRun(std::vector<Input> messages, const World& world,
+                                const std::string& world_frame);
+
+/// Inputs of one run, applied to another after the same steps.
 class InputReplay {
  public:
-  /// Keeps the inputs of the last run among those given, by number. Throws std::invalid_argument,
-  /// one line, when one of them is missing.
-  InputReplay(std::vector<Input> inputs, const std::string& world_frame);
+  explicit InputReplay(std::vector<TimedInput> inputs) : inputs_(std::move(inputs)) {}
 
-  /// Applies what was taken over at the step that the simulation has come to. Returns whether that
-  /// has moved bodies. Throws std::invalid_argument for an input that is not of this scene.
+  /// Applies what was taken over after the step that the simulation has come to. Returns whether
+  /// that has moved bodies. Throws std::invalid_argument for an input that the simulation refuses.
   bool applyDue(Simulation& simulation);
 
   std::size_t size() const { return inputs_.size(); }
 
-  /// Whether every input has been applied.
-  bool isDone() const { return next_ == inputs_.size(); }
+  /// Inputs that have not been applied yet.
+  std::size_t remaining() const { return inputs_.size() - next_; }
+  bool isDone() const { return remaining() == 0; }
+
+  /// The step of the last input; 0 without inputs. A run that ends before it leaves inputs out.
+  std::uint64_t lastStep() const { return inputs_.empty() ? 0 : inputs_.back().step; }
 
  private:
-  std::vector<Input> inputs_;
-  std::string world_frame_;
+  std::vector<TimedInput> inputs_;
   std::size_t next_ = 0;
 };
 

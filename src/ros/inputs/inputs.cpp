@@ -5,28 +5,43 @@
 #include "ros/inputs/input_messages.hpp"
 
 namespace rigid_body_sim {
+namespace {
 
-Inputs::Inputs(Topic<Input> topic, const std::string& world_frame, Simulation& simulation,
-               const TimeOrigin& origin)
+bool restartsTime(const SimulationInput& input) {
+  const auto* reset = std::get_if<ResetInput>(&input);
+  return reset && reset->restart_time;
+}
+
+}  // namespace
+
+Inputs::Inputs(Topic<Input> record, const std::string& world_frame, Simulation& simulation,
+               const TimeOrigin& origin, Listener listener)
     : world_frame_(world_frame),
       simulation_(simulation),
       origin_(origin),
-      topic_(std::move(topic)) {}
+      listener_(std::move(listener)),
+      record_(std::move(record)) {}
 
-void Inputs::apply(Input input) {
-  applyInput(input, world_frame_, simulation_);
-  if (input.kind == Input::RESTART) {
+void Inputs::apply(const SimulationInput& input) {
+  simulation_.apply(input);
+  if (restartsTime(input)) {
     ++run_;
     number_ = 0;
   }
-  input.run = run_;
-  input.number = number_++;
-  if (!topic_.heard()) return;
-  input.header.stamp = stamp();
-  input.header.frame_id = world_frame_;
-  input.step = static_cast<std::uint64_t>(simulation_.steps());
-  input.time = simulation_.time();
-  topic_.publish(input, input.header.stamp);
+  if (record_.heard()) record(input);
+  ++number_;
+  if (listener_) listener_(input);
+}
+
+void Inputs::record(const SimulationInput& input) {
+  Input message = toMessage(input, simulation_.world(), world_frame_);
+  message.header.stamp = stamp();
+  message.header.frame_id = world_frame_;
+  message.run = run_;
+  message.number = number_;
+  message.step = static_cast<std::uint64_t>(simulation_.steps());
+  message.time = simulation_.time();
+  record_.publish(message, message.header.stamp);
 }
 
 }  // namespace rigid_body_sim

@@ -3,66 +3,103 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
+
+#include <rigid_body_sim/scene/resolve_wrench.hpp>
 
 #include "scene/limits.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-/// The slot, "id <id>" or "frame <frame_id>", is kept with every wrench that acts or is to come.
-std::string slotFault(const WrenchRequest& request) {
-  const std::size_t kind = request.slot.find(' ');
-  if (kind == std::string::npos) return "";  // none
-  const std::size_t bytes = request.slot.size() - kind - 1;
-  if (bytes <= kMostTextBytes) return "";
-  return request.slot.substr(0, kind) + " must have at most " + std::to_string(kMostTextBytes) +
-         " bytes, got " + std::to_string(bytes);
+/// The name of a slot is kept with every wrench that acts or is to come.
+void requireShort(const char* key, const std::string& name) {
+  if (name.size() <= kMostTextBytes) return;
+  throw std::invalid_argument(std::string(key) + " must have at most " +
+                              std::to_string(kMostTextBytes) + " bytes, got " +
+                              std::to_string(name.size()));
 }
 
-std::string durationFault(const WrenchRequest& request) {
-  const double duration = request.wrench.duration;
-  const bool held = duration == 0 && !request.slot.empty();
-  if (duration > 0 || held) return "";
+/// Without an id, nothing could replace a wrench that is held.
+void requireDuration(double duration, const std::string& id) {
+  if (duration > 0 || (duration == 0 && !id.empty())) return;
   std::ostringstream fault;
-  fault << "duration must be " << (request.slot.empty() ? "> 0 s where id is empty" : ">= 0 s")
-        << ", got " << duration;
-  return fault.str();
-}
-
-/// Fault of a frame that has to say where on the body the wrench acts.
-std::string placeFault(const WrenchDef& wrench, const FrameTable& frames,
-                       const IntakeRules& rules) {
-  const FixedFrame* frame = frames.find(wrench.frame);
-  const FixedFrame* body = frames.find(wrench.body);
-  const bool unknown = !frame || !body;  // left to resolveWrench
-  if (unknown || wrench.frame == rules.world_frame || frame->body == body->body) return "";
-  return "frame '" + wrench.frame + "' must be '" + rules.world_frame + "' or fixed to body '" +
-         wrench.body + "'";
+  fault << "duration must be " << (id.empty() ? "> 0 s where id is empty" : ">= 0 s") << ", got "
+        << duration;
+  throw std::invalid_argument(fault.str());
 }
 
 }  // namespace
 
-ResolvedWrench takeWrench(const WrenchRequest& request, const std::vector<Body>& bodies,
-                          const FrameTable& frames, const IntakeRules& rules, double now) {
-  WrenchDef wrench = request.wrench;
-  const bool on_center_of_mass = request.placed_by_frame && wrench.frame == rules.world_frame;
-  if (request.placed_by_frame && !on_center_of_mass) wrench.point_frame = wrench.frame;
-  wrench.start = std::max(wrench.start, now);
-  if (wrench.duration == 0)
-    wrench.duration =
-        rules.wrench_timeout > 0 ? rules.wrench_timeout : std::numeric_limits<double>::infinity();
+std::string slotOfId(const std::string& id) { return id.empty() ? "" : "id " + id; }
 
-  ResolvedWrench resolved;
-  resolved.fault = slotFault(request);
-  if (resolved.fault.empty()) resolved.fault = durationFault(request);
-  if (resolved.fault.empty() && request.placed_by_frame)
-    resolved.fault = placeFault(wrench, frames, rules);
-  if (!resolved.fault.empty()) return resolved;
+WrenchIntake::WrenchIntake(const Scene& scene, const std::vector<Body>& bodies,
+                           double wrench_timeout)
+    : bodies_(bodies),
+      world_frame_(scene.world_frame),
+      wrench_timeout_(wrench_timeout),
+      frames_(scene, bodies) {}
 
-  resolved = resolveWrench(wrench, bodies, frames);
-  // exactly, where the way through the body frame would leave a lever of rounding
-  if (on_center_of_mass) resolved.wrench.point.setZero();
-  return resolved;
+WrenchInput WrenchIntake::take(const std::string& body, const geometry_msgs::WrenchStamped& message,
+                               double now) {
+  const std::string& frame = message.header.frame_id;
+  requireShort("frame", frame);
+  static_frames_.lookUp(frame, frames_);
+  WrenchDef wrench;
+  wrench.body = body;
+  wrench.frame = frame;
+  wrench.force = fromVector3(message.wrench.force);
+  wrench.torque = fromVector3(message.wrench.torque);
+  wrench.start = now;
+  wrench.duration = heldFor();
+  WrenchInput input{"frame " + frame, {}};
+  if (frame == world_frame_) {
+    input.wrench = resolved(wrench);
+    // exactly, where the way through the body frame would leave a lever of rounding
+    input.wrench.point.setZero();
+    return input;
+  }
+  requireFixedToBody(wrench);
+  wrench.point_frame = frame;
+  input.wrench = resolved(wrench);
+  return input;
+}
+
+WrenchInput WrenchIntake::take(const AppliedWrench& message, const TimeOrigin& origin, double now) {
+  requireShort("id", message.id);
+  static_frames_.lookUp(message.header.frame_id, frames_);
+  static_frames_.lookUp(message.point_frame, frames_);
+  WrenchDef wrench;
+  wrench.body = message.body;
+  wrench.frame = message.header.frame_id;
+  wrench.point_frame = message.point_frame;
+  wrench.point = fromPoint(message.point);
+  wrench.force = fromVector3(message.wrench.force);
+  wrench.torque = fromVector3(message.wrench.torque);
+  wrench.start = message.start.isZero() ? now : std::max(origin.simulationTime(message.start), now);
+  wrench.duration = toSeconds(message.duration);
+  requireDuration(wrench.duration, message.id);
+  if (wrench.duration == 0) wrench.duration = heldFor();
+  return {slotOfId(message.id), resolved(wrench)};
+}
+
+PointWrench WrenchIntake::resolved(const WrenchDef& wrench) const {
+  const ResolvedWrench resolved = resolveWrench(wrench, bodies_, frames_);
+  if (!resolved.fault.empty()) throw std::invalid_argument(resolved.fault);
+  return resolved.wrench;
+}
+
+/// Other frames do not say where on the body the wrench acts; unknown ones are left to resolved().
+void WrenchIntake::requireFixedToBody(const WrenchDef& wrench) const {
+  const FixedFrame* frame = frames_.find(wrench.frame);
+  const FixedFrame* body = frames_.find(wrench.body);
+  if (!frame || !body || frame->body == body->body) return;
+  throw std::invalid_argument("frame '" + wrench.frame + "' must be '" + world_frame_ +
+                              "' or fixed to body '" + wrench.body + "'");
+}
+
+double WrenchIntake::heldFor() const {
+  return wrench_timeout_ > 0 ? wrench_timeout_ : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace rigid_body_sim

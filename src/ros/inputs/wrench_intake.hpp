@@ -3,23 +3,55 @@
 #include <string>
 #include <vector>
 
-#include <rigid_body_sim/scene/resolve_wrench.hpp>
+#include <geometry_msgs/WrenchStamped.h>
+#include <tf2_msgs/TFMessage.h>
 
-#include "ros/inputs/wrench_request.hpp"
+#include <rigid_body_sim/AppliedWrench.h>
+#include <rigid_body_sim/dynamics/input.hpp>
+#include <rigid_body_sim/scene/frames.hpp>
+
+#include "ros/inputs/static_frames.hpp"
+#include "ros/messages/conversions.hpp"
 
 namespace rigid_body_sim {
 
-/// What a request is judged by.
-struct IntakeRules {
-  std::string world_frame;
-  double wrench_timeout;  ///< [s] after its start, a wrench of duration 0 ends; 0: never
-};
+/// The slot of an id of AppliedWrench on its body; empty for none. <body>/wrench uses others.
+std::string slotOfId(const std::string& id);
 
-/// Turns a request that arrives at simulation time `now` [s], a step boundary, into a wrench for
-/// the core; or into a fault, one line, for what names nothing known, is not finite, lasts a
-/// negative time, is held without a slot to replace it, has an id that is too long, or comes to
-/// <body>/wrench in a frame that is neither the world's nor fixed to that body.
-ResolvedWrench takeWrench(const WrenchRequest& request, const std::vector<Body>& bodies,
-                          const FrameTable& frames, const IntakeRules& rules, double now);
+/// Turns wrench messages into inputs of the core: names and frames are resolved, and the rules of
+/// the two interfaces checked, here and once.
+///
+/// take() throws std::invalid_argument, one line, for a name that is unknown, a number that is not
+/// finite, a duration that is negative or has no slot to hold it in, an id that is too long, and,
+/// on <body>/wrench, a frame that is neither the world's nor fixed to that body.
+class WrenchIntake {
+ public:
+  /// wrench_timeout [s]: after its start, a wrench of duration 0 ends; 0: never. The bodies, those
+  /// of the scene's world, are referred to, not copied.
+  WrenchIntake(const Scene& scene, const std::vector<Body>& bodies, double wrench_timeout);
+
+  /// Frames that others hang on those of the scene; each is looked up when first named.
+  void add(const tf2_msgs::TFMessage& static_frames) { static_frames_.add(static_frames); }
+
+  /// A message on <body>/wrench that arrives at simulation time `now` [s]: acts from then on. Each
+  /// frame has a slot of its own, and says where the wrench acts: the world's at the centre of
+  /// mass, another at its origin.
+  WrenchInput take(const std::string& body, const geometry_msgs::WrenchStamped& message,
+                   double now);
+
+  /// A message on ~wrench: each id has a slot of its own. A start of zero or in the past is now.
+  WrenchInput take(const AppliedWrench& message, const TimeOrigin& origin, double now);
+
+ private:
+  PointWrench resolved(const WrenchDef& wrench) const;
+  void requireFixedToBody(const WrenchDef& wrench) const;
+  double heldFor() const;
+
+  const std::vector<Body>& bodies_;
+  std::string world_frame_;
+  double wrench_timeout_;
+  FrameTable frames_;
+  StaticFrames static_frames_;
+};
 
 }  // namespace rigid_body_sim

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -9,11 +8,8 @@
 
 namespace rigid_body_sim {
 
-/// Index of the body of that name; the number of bodies when there is none.
-inline std::size_t indexOf(const std::string& name, const std::vector<Body>& bodies) {
-  const auto it =
-      std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
-  return static_cast<std::size_t>(it - bodies.begin());
-}
+/// Index of the body of that name, as messages give it. Throws std::invalid_argument, one line, for
+/// an unknown one.
+std::size_t bodyNamed(const std::string& name, const std::vector<Body>& bodies);
 
 }  // namespace rigid_body_sim

@@ -32,8 +32,11 @@ HandleTopics::HandleTopics(ros::NodeHandle private_nh,
     : handles_(handles),
       all_(private_nh.advertise<InteractiveMarkerInit>("push/update_full", kHandleQueue, kLatched)),
       update_(private_nh.advertise<InteractiveMarkerUpdate>("push/update", kHandleQueue)) {
-  const boost::function<void(const Feedback&)> hear = sink;
-  feedback_ = private_nh.subscribe<Feedback>("push/feedback", kHandleQueue, hear);
+  const boost::function<void(const Feedback&)> take = [this, sink](const Feedback& feedback) {
+    sink(feedback);
+    if (feedback.event_type == Feedback::MOUSE_UP) putBack(feedback.marker_name);
+  };
+  feedback_ = private_nh.subscribe<Feedback>("push/feedback", kHandleQueue, take);
   publishAll();
 }
 
@@ -46,12 +49,12 @@ void HandleTopics::publishAll() {
 }
 
 void HandleTopics::keepAlive(Clock::time_point now) {
-  if (now < next_sign_) return;
-  next_sign_ = now + kPeriod;
+  if (now < next_keep_alive_) return;
+  next_keep_alive_ = now + kPeriod;
   if (update_.getNumSubscribers() == 0) return;
-  InteractiveMarkerUpdate sign = numbered(changes_);
-  sign.type = InteractiveMarkerUpdate::KEEP_ALIVE;
-  update_.publish(sign);
+  InteractiveMarkerUpdate update = numbered(changes_);
+  update.type = InteractiveMarkerUpdate::KEEP_ALIVE;
+  update_.publish(update);
 }
 
 void HandleTopics::putBack(const std::string& handle) {

@@ -12,8 +12,9 @@
 namespace rigid_body_sim {
 
 /// Offers handles to viewers by the protocol of the package interactive_markers: on
-/// ~push/update_full what there is, latched; on ~push/update changes and signs of life, each with a
-/// number that counts the changes; from ~push/feedback what the viewers do.
+/// ~push/update_full all handles, latched; on ~push/update changes and keep-alives, each with a
+/// number that counts the changes; from ~push/feedback what the viewers do. A handle that is
+/// released goes back to its place on the body: the viewer has dragged it away.
 ///
 /// That package's own server would bring a queue or thread of its own, and a timer in ROS time,
 /// which stands still with a paused clock and runs for nobody. Here feedback comes from whoever
@@ -27,18 +28,16 @@ class HandleTopics {
   HandleTopics(ros::NodeHandle private_nh,
                const std::vector<visualization_msgs::InteractiveMarker>& handles, const Sink& sink);
 
-  /// Twice a second a sign of life: a viewer starts, and goes on, only with it.
+  /// Sends a keep-alive twice a second: without, a viewer neither starts nor goes on.
   void keepAlive(Clock::time_point now);
-
-  /// Puts a handle back to where it hangs on its frame.
-  void putBack(const std::string& handle);
 
  private:
   void publishAll();
+  void putBack(const std::string& handle);
 
   std::vector<visualization_msgs::InteractiveMarker> handles_;
   std::uint64_t changes_ = 0;
-  Clock::time_point next_sign_;
+  Clock::time_point next_keep_alive_;
   ros::Publisher all_;
   ros::Publisher update_;
   ros::Subscriber feedback_;

@@ -1,35 +1,61 @@
 #pragma once
 
+#include <map>
 #include <string>
 
-#include <rigid_body_sim/scene/scene.hpp>
+#include <visualization_msgs/InteractiveMarkerFeedback.h>
 
-#include "ros/mouse/handle_topics.hpp"
-#include "ros/mouse/mouse_holds.hpp"
-#include "ros/node/refusals.hpp"
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+#include "ros/inputs/inputs.hpp"
+#include "ros/mouse/mouse_spring.hpp"
+#include "ros/mouse/pose_history.hpp"
 
 namespace rigid_body_sim {
 
-/// Bodies pushed with the mouse in a viewer: handles out, pulls on the bodies in.
+/// The bodies that viewers hold with the mouse by their handles (toHandles), and the springs that
+/// pull them. A body is held by the viewer that pressed last, at the point that was pressed.
 class Mouse {
  public:
-  Mouse(const ros::NodeHandle& private_nh, const Scene& scene, const Simulation& simulation,
-        Inputs& inputs, double wrench_timeout, Refusals& refusals);
+  /// wrench_timeout [s of simulation time]: how long a body is pulled without feedback; 0: for
+  /// ever. Simulation and inputs are referred to, not copied.
+  Mouse(const Simulation& simulation, Inputs& inputs, double wrench_timeout);
 
-  /// Applies the pulls for the step to come.
-  void pull();
+  /// Takes what a viewer reports: a button pressed on a handle, the handle dragged or kept where it
+  /// is, the button released. Returns the fault of feedback that is refused and changes nothing:
+  /// for an unknown handle, in a frame other than the body's, or for a pull that is not finite.
+  std::string take(const visualization_msgs::InteractiveMarkerFeedback& feedback);
 
-  /// The wrenches of a body have been cleared, empty: of all bodies.
-  void letGo(const std::string& body) { holds_.letGo(body); }
+  /// Applies, for the next step, the pull on every body that is held, each in a slot of its own.
+  /// Returns the fault of a pull that the simulation refuses; that body is held no longer.
+  std::string pull();
 
-  void keepAlive(HandleTopics::Clock::time_point now) { topics_.keepAlive(now); }
+  /// An input has been applied: a body whose wrenches have all been cleared, or that has been
+  /// reset, is held no longer. A handle that is still being dragged does nothing until it is
+  /// pressed again.
+  void follow(const SimulationInput& input);
 
  private:
-  void take(const HandleTopics::Feedback& feedback);
+  struct Hold {
+    std::string client;  // of the viewer
+    Vector3d point_B;    // [m]
+    MouseSpring spring;
+    double until = 0;  // [s] the pull ends, unless there is feedback before
+    PoseHistory poses;
+  };
+  using Feedback = visualization_msgs::InteractiveMarkerFeedback;
 
-  MouseHolds holds_;
-  Refusals& refusals_;
-  HandleTopics topics_;
+  std::string press(std::size_t body, const Feedback& feedback);
+  std::string drag(Hold& hold, const Feedback& feedback);
+  std::string pull(Hold& hold);
+  void release(std::size_t body);
+  void note(Hold& hold) const;
+
+  const Simulation& simulation_;
+  Inputs& inputs_;
+  double wrench_timeout_;
+  std::map<std::string, std::size_t> moving_bodies_;  // by name
+  std::map<std::size_t, Hold> holds_;                 // by body
 };
 
 }  // namespace rigid_body_sim

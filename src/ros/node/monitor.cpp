@@ -1,5 +1,7 @@
 #include "ros/node/monitor.hpp"
 
+#include <utility>
+
 namespace rigid_body_sim {
 namespace {
 
@@ -9,8 +11,9 @@ constexpr std::uint32_t kMonitorQueue = 10;
 }  // namespace
 
 Monitor::Monitor(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::string& world_frame,
-                 const TimeOrigin& origin)
+                 Simulation& simulation, const TimeOrigin& origin)
     : world_frame_(world_frame),
+      simulation_(simulation),
       origin_(origin),
       last_report_(Clock::now()),
       status_(private_nh.advertise<SimStatus>("status", kMonitorQueue)),
@@ -22,34 +25,41 @@ Monitor::Monitor(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::stri
   });
 }
 
-bool Monitor::isHeard() const {
+bool Monitor::hasSubscribers() const {
   return diagnostics_.getNumSubscribers() > 0 || status_.getNumSubscribers() > 0;
 }
 
-void Monitor::report(const Simulation& simulation, const RunFigures& figures,
-                     Clock::time_point now) {
+void Monitor::track(bool wanted) {
+  if (wanted == tracked_) return;
+  tracked_ = wanted;
+  if (!wanted) return simulation_.stopTracking();
+  simulation_.trackBalance();
+  if (simulation_.world().solver.integrator == "auto") simulation_.trackError();
+}
+
+void Monitor::report(Health health, Clock::time_point now) {
+  track(hasSubscribers());
   next_report_ = now + kPeriod;
   const std::chrono::duration<double> elapsed = now - last_report_;
-  const double advanced = simulation.time() - last_t_;
-  restart(simulation.time(), now);
-  const auto overruns = static_cast<std::uint64_t>(figures.overruns);
-  health_.new_overruns = overruns - last_overruns_;
-  last_overruns_ = overruns;
-  if (!isHeard()) return;
+  const double advanced = simulation_.time() - last_t_;
+  restart(now);
+  health.new_overruns = health.status.overruns - last_overruns_;
+  last_overruns_ = health.status.overruns;
+  if (!hasSubscribers()) return;
 
-  health_.status = toSimStatus(simulation, figures);
-  health_.status.header.frame_id = world_frame_;
-  health_.status.header.stamp = origin_.stamp(simulation.time());
-  if (elapsed.count() > 0) health_.status.real_time_factor = advanced / elapsed.count();
-  health_.holds_tolerance = holdsTolerance(simulation);
-  health_.divergence = figures.divergence;
+  addFigures(simulation_, health.status);
+  health.status.header.frame_id = world_frame_;
+  health.status.header.stamp = origin_.stamp(simulation_.time());
+  if (elapsed.count() > 0) health.status.real_time_factor = advanced / elapsed.count();
+  health.holds_tolerance = holdsTolerance(simulation_);
+  health_ = std::move(health);
   status_.publish(health_.status);
   // at the monitor's pace: the updater's own follows ROS time, which stands still while paused
   if (diagnostics_.getNumSubscribers() > 0) updater_.force_update();
 }
 
-void Monitor::restart(double t, Clock::time_point now) {
-  last_t_ = t;
+void Monitor::restart(Clock::time_point now) {
+  last_t_ = simulation_.time();
   last_report_ = now;
 }
 

@@ -11,35 +11,40 @@
 
 namespace rigid_body_sim {
 
-/// Tells once a second of wall time, paused or not, how the simulation fares: on ~status and
-/// /diagnostics. Without subscribers nothing is computed.
+/// Reports once a second of wall time, paused or not, how the simulation fares: on ~status and
+/// /diagnostics. Without subscribers nothing is computed; with them, the balance, and errors with
+/// auto, are tracked.
 class Monitor {
  public:
   using Clock = std::chrono::steady_clock;
 
+  /// Simulation and origin are referred to, not copied.
   Monitor(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::string& world_frame,
-          const TimeOrigin& origin);
+          Simulation& simulation, const TimeOrigin& origin);
 
   bool isDue(Clock::time_point now) const { return now >= next_report_; }
 
-  /// Whether somebody listens.
-  bool isHeard() const;
+  /// What is to be filled in of health is said there.
+  void report(Health health, Clock::time_point now);
 
-  void report(const Simulation& simulation, const RunFigures& figures, Clock::time_point now);
-
-  /// Simulation time has been set to t [s].
-  void restart(double t, Clock::time_point now);
+  /// Simulation time has been set.
+  void restart(Clock::time_point now);
 
  private:
+  bool hasSubscribers() const;
+  void track(bool wanted);
+
   std::string world_frame_;
+  Simulation& simulation_;
   const TimeOrigin& origin_;
   Clock::time_point next_report_;
   Clock::time_point last_report_;
   double last_t_ = 0;
   std::uint64_t last_overruns_ = 0;
-  Health health_;
+  bool tracked_ = false;
+  Health health_;  // of the last report
   ros::Publisher status_;
-  ros::Publisher diagnostics_;  // the updater's topic, to know whether somebody listens
+  ros::Publisher diagnostics_;  // the updater's topic, to know whether it has subscribers
   diagnostic_updater::Updater updater_;
 };
 

@@ -26,15 +26,11 @@ void addMechanics(const Simulation& simulation, SimStatus& status) {
 
 }  // namespace
 
-SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures) {
+void addFigures(const Simulation& simulation, SimStatus& status) {
   const World& world = simulation.world();
-  SimStatus status;
   status.time = simulation.time();
   status.steps = static_cast<std::uint64_t>(simulation.steps());
-  status.overruns = static_cast<std::uint64_t>(figures.overruns);
-  status.refused = static_cast<std::uint64_t>(figures.refused);
   status.active_wrenches = static_cast<std::uint32_t>(simulation.wrenchCount());
-  status.paused = figures.paused;
   addMechanics(simulation, status);
   status.attitude_error = status.position_error = std::numeric_limits<double>::quiet_NaN();
   if (world.solver.integrator == "auto") {
@@ -42,7 +38,6 @@ SimStatus toSimStatus(const Simulation& simulation, const RunFigures& figures) {
     status.position_error = simulation.errorEstimate().position;
   }
   status.most_parts = static_cast<std::uint32_t>(simulation.mostParts());
-  return status;
 }
 
 bool isWithinTolerance(const ErrorEstimate& error, double time, const SolverOptions& solver) {

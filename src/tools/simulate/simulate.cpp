@@ -44,7 +44,7 @@ std::unique_ptr<InputReplay> replayOf(const std::string& path, const Scene& scen
                                       const World& world, Preface& preface) {
   const BagInputs recorded = readBagInputs(path, scene, world);
   if (!recorded.notice.empty()) preface.add(noticeLine("simulate", path + ": " + recorded.notice));
-  return std::make_unique<InputReplay>(recorded.inputs, scene.world_frame);
+  return std::make_unique<InputReplay>(recorded.inputs);
 }
 
 /// Where a run goes beside the CSV, and what comes in.

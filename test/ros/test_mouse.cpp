@@ -5,7 +5,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
-#include "ros/mouse/mouse_holds.hpp"
+#include "ros/mouse/mouse.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -15,7 +15,7 @@ using Feedback = visualization_msgs::InteractiveMarkerFeedback;
 constexpr double kTimeout = 0.5;
 
 /// A box, its centre of mass off its origin, that flies and turns; and a fixed post.
-class MouseHoldsTest : public ::testing::Test {
+class MouseTest : public ::testing::Test {
  protected:
   Feedback feedback(int event) const {
     Feedback message;
@@ -37,7 +37,7 @@ class MouseHoldsTest : public ::testing::Test {
 
   void step(int steps = 1) {
     for (int i = 0; i < steps; ++i) {
-      holds.pull();
+      mouse.pull();
       simulation.step();
     }
   }
@@ -50,7 +50,7 @@ class MouseHoldsTest : public ::testing::Test {
 
   /// The pull that is to act during the next step; none is a force of zero.
   PointWrench pullNow() {
-    holds.pull();
+    mouse.pull();
     Simulation next = simulation;
     next.step();
     EXPECT_LE(next.activeWrenches(0).size(), 1U);
@@ -87,124 +87,131 @@ bodies:
   World world = buildWorld(scene);
   State initial = initialState(scene, world);
   Simulation simulation{world, initial};
-  Inputs inputs{{[] { return false; }, {}}, "world", simulation, origin};
-  MouseHolds holds{simulation, inputs, kTimeout};
+  Inputs inputs{{[] { return false; }, {}},
+                "world",
+                simulation,
+                origin,
+                [this](const SimulationInput& input) { mouse.follow(input); }};
+  Mouse mouse{simulation, inputs, kTimeout};
 };
 
 }  // namespace
 
-TEST_F(MouseHoldsTest, PressedPointIsPulledToWhereItWasInTheWorld) {
-  EXPECT_EQ(holds.take(feedback(Feedback::MOUSE_DOWN)), "");
+TEST_F(MouseTest, PressedPointIsPulledToWhereItWasInTheWorld) {
+  EXPECT_EQ(mouse.take(feedback(Feedback::MOUSE_DOWN)), "");
   const Vector3d goal_W = pose() * point_B;
   expectPullTo(goal_W);
   step(10);
   expectPullTo(goal_W);
 }
 
-TEST_F(MouseHoldsTest, DraggedHandleTakesTheGoalAlongInTheFrameOfItsStamp) {
-  holds.take(feedback(Feedback::MOUSE_DOWN));
+TEST_F(MouseTest, DraggedHandleTakesTheGoalAlongInTheFrameOfItsStamp) {
+  mouse.take(feedback(Feedback::MOUSE_DOWN));
   step(5);
   const Feedback late = dragged(Vector3d(0.1, 0.2, 0.3));
   const Vector3d goal_W = pose() * (point_B + Vector3d(0.1, 0.2, 0.3));
   step(5);
-  EXPECT_EQ(holds.take(late), "");
+  EXPECT_EQ(mouse.take(late), "");
   expectPullTo(goal_W);
 }
 
-TEST_F(MouseHoldsTest, WithoutAMousePointTheCentreOfMassIsHeld) {
+TEST_F(MouseTest, WithoutAMousePointTheCentreOfMassIsHeld) {
   Feedback press = feedback(Feedback::MOUSE_DOWN);
   press.mouse_point_valid = false;
-  holds.take(press);
+  mouse.take(press);
   EXPECT_LT(pullNow().point.norm(), 1e-15);
 }
 
-TEST_F(MouseHoldsTest, ReleaseEndsThePullAtOnce) {
-  holds.take(feedback(Feedback::MOUSE_DOWN));
-  holds.take(dragged(Vector3d(1, 0, 0)));
+TEST_F(MouseTest, ReleaseEndsThePullAtOnce) {
+  mouse.take(feedback(Feedback::MOUSE_DOWN));
+  mouse.take(dragged(Vector3d(1, 0, 0)));
   step();
   EXPECT_EQ(simulation.activeWrenches(0).size(), 1U);
-  EXPECT_EQ(holds.take(feedback(Feedback::MOUSE_UP)), "");
+  EXPECT_EQ(mouse.take(feedback(Feedback::MOUSE_UP)), "");
   EXPECT_EQ(simulation.wrenchCount(), 0U);
   const Vector3d p_W = simulation.state().bodies[0].p_W;
   step(10);
   EXPECT_EQ(simulation.state().bodies[0].p_W, p_W);
   // and what a viewer still sends moves nothing
-  EXPECT_EQ(holds.take(dragged(Vector3d(1, 0, 0))), "");
+  EXPECT_EQ(mouse.take(dragged(Vector3d(1, 0, 0))), "");
   step();
   EXPECT_EQ(simulation.wrenchCount(), 0U);
 }
 
-TEST_F(MouseHoldsTest, PullTimesOutExactlyAndComesBackWithFeedback) {
-  holds.take(feedback(Feedback::MOUSE_DOWN));
-  holds.take(dragged(Vector3d(1, 0, 0)));
+TEST_F(MouseTest, PullTimesOutExactlyAndComesBackWithFeedback) {
+  mouse.take(feedback(Feedback::MOUSE_DOWN));
+  mouse.take(dragged(Vector3d(1, 0, 0)));
   step();
   EXPECT_EQ(simulation.activeWrenches(0).at(0).end, kTimeout);
   step(60);
   EXPECT_EQ(simulation.wrenchCount(), 0U);
   Feedback alive = dragged(Vector3d(1, 0, 0));
   alive.event_type = Feedback::KEEP_ALIVE;
-  holds.take(alive);
+  mouse.take(alive);
   step();
   EXPECT_EQ(simulation.wrenchCount(), 1U);
 }
 
-TEST_F(MouseHoldsTest, BodyIsHeldByTheViewerThatPressedLast) {
-  holds.take(feedback(Feedback::MOUSE_DOWN));
+TEST_F(MouseTest, BodyIsHeldByTheViewerThatPressedLast) {
+  mouse.take(feedback(Feedback::MOUSE_DOWN));
   Feedback other = feedback(Feedback::MOUSE_DOWN);
   other.client_id = "other";
-  holds.take(other);
+  mouse.take(other);
   const Vector3d goal_W = pose() * point_B;
-  holds.take(dragged(Vector3d(1, 0, 0)));
+  mouse.take(dragged(Vector3d(1, 0, 0)));
   expectPullTo(goal_W);
-  holds.take(feedback(Feedback::MOUSE_UP));
+  mouse.take(feedback(Feedback::MOUSE_UP));
   expectPullTo(goal_W);
 }
 
-TEST_F(MouseHoldsTest, BodyThatIsLetGoIsNotPulledUntilPressedAgain) {
-  for (const char* body : {"box", ""}) {
-    holds.take(feedback(Feedback::MOUSE_DOWN));
+TEST_F(MouseTest, BodyThatIsClearedOrResetIsNotPulledUntilPressedAgain) {
+  for (const SimulationInput& input :
+       {SimulationInput(ClearInput{0, ""}), SimulationInput(ClearInput{}),
+        SimulationInput(ResetInput{})}) {
+    mouse.take(feedback(Feedback::MOUSE_DOWN));
     step();
-    simulation.clearWrenches();
-    holds.letGo(body);
-    holds.take(dragged(Vector3d(1, 0, 0)));
+    EXPECT_EQ(simulation.wrenchCount(), 1U);
+    inputs.apply(input);
+    mouse.take(dragged(Vector3d(1, 0, 0)));
     step();
     EXPECT_EQ(simulation.wrenchCount(), 0U);
   }
-  holds.take(feedback(Feedback::MOUSE_DOWN));
-  holds.letGo("post");
+  mouse.take(feedback(Feedback::MOUSE_DOWN));
+  inputs.apply(ClearInput{1, ""});
+  inputs.apply(ClearInput{0, "id of another"});
   step();
   EXPECT_EQ(simulation.wrenchCount(), 1U);
 }
 
-TEST_F(MouseHoldsTest, RefuseWhatBreaksARuleAndKeepWhatWas) {
+TEST_F(MouseTest, RefuseWhatBreaksARuleAndKeepWhatWas) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   Feedback bad = feedback(Feedback::MOUSE_DOWN);
   bad.mouse_point.x = kNaN;
-  EXPECT_EQ(holds.take(bad), "feedback on handle 'box' must make a finite pull");
+  EXPECT_EQ(mouse.take(bad), "feedback on handle 'box' must make a finite pull");
   bad = feedback(Feedback::MOUSE_DOWN);
   bad.marker_name = bad.header.frame_id = "post";  // fixed
-  EXPECT_EQ(holds.take(bad), "unknown handle 'post'");
+  EXPECT_EQ(mouse.take(bad), "unknown handle 'post'");
   bad = feedback(Feedback::MOUSE_DOWN);
   bad.header.frame_id = "world";
-  EXPECT_EQ(holds.take(bad), "feedback on handle 'box' must be in frame 'box', got 'world'");
+  EXPECT_EQ(mouse.take(bad), "feedback on handle 'box' must be in frame 'box', got 'world'");
   step();
   EXPECT_EQ(simulation.wrenchCount(), 0U);
 
-  holds.take(feedback(Feedback::MOUSE_DOWN));
+  mouse.take(feedback(Feedback::MOUSE_DOWN));
   const Vector3d goal_W = pose() * point_B;
   for (double x : {kNaN, std::numeric_limits<double>::infinity(), 1e308})
-    EXPECT_NE(holds.take(dragged(Vector3d(x, 0, 0))), "") << x;
+    EXPECT_NE(mouse.take(dragged(Vector3d(x, 0, 0))), "") << x;
   expectPullTo(goal_W);
 }
 
-TEST_F(MouseHoldsTest, LetGoABodyWhosePullTheSimulationRefuses) {
+TEST_F(MouseTest, LetGoABodyWhosePullTheSimulationRefuses) {
   PointWrench later;
   later.start = 1e3;
   later.end = 2e3;
   for (std::size_t i = 0; i < Simulation::kMostWrenches; ++i) simulation.applyWrench("", later);
-  EXPECT_EQ(holds.take(feedback(Feedback::MOUSE_DOWN)), "");
-  EXPECT_EQ(holds.pull(), "body 'box' is let go: at most 100000 wrenches may act or be to come");
-  EXPECT_EQ(holds.pull(), "");
+  EXPECT_EQ(mouse.take(feedback(Feedback::MOUSE_DOWN)), "");
+  EXPECT_EQ(mouse.pull(), "body 'box' is let go: at most 100000 wrenches may act or be to come");
+  EXPECT_EQ(mouse.pull(), "");
 }
 
 TEST(PoseHistory, GivesThePoseAtOrBeforeAStampOfTheLastTenSeconds) {

@@ -1,4 +1,4 @@
-#include "ros/node/refusals.hpp"
+#include "ros/inputs/refusals.hpp"
 
 #include <ros/console.h>
 

@@ -12,6 +12,11 @@ class Refusals {
   /// what: the kind of input, such as "wrench"; all kinds are counted together.
   void add(const char* what, const std::string& reason);
 
+  /// Adds the reason why input is refused; an empty one means that it is not.
+  void check(const char* what, const std::string& reason) {
+    if (!reason.empty()) add(what, reason);
+  }
+
   std::int64_t count() const { return count_; }
 
  private:

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+
+#include <boost/make_shared.hpp>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+
+namespace rigid_body_sim {
+
+/// A queue beside another one: what comes in wakes up whoever waits for the other.
+class SideQueue : public ros::CallbackQueue {
+ public:
+  explicit SideQueue(ros::CallbackQueue& other) : other_(other) {}
+
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override {
+    ros::CallbackQueue::addCallback(callback, owner);
+    other_.addCallback(boost::make_shared<WakeUp>());
+  }
+
+ private:
+  struct WakeUp : ros::CallbackInterface {
+    CallResult call() override { return Success; }
+  };
+  ros::CallbackQueue& other_;
+};
+
+/// The handles of a node that serves its callbacks itself. ~step has a queue of its own, so that
+/// all other callbacks can be served while steps are taken.
+struct NodeQueues {
+  ros::CallbackQueue queue;
+  SideQueue step_queue{queue};
+  ros::NodeHandle nh = handle("", queue);
+  ros::NodeHandle private_nh = handle("~", queue);
+  ros::NodeHandle step_nh = handle("~", step_queue);
+
+ private:
+  static ros::NodeHandle handle(const std::string& name_space, ros::CallbackQueue& served) {
+    ros::NodeHandle nh(name_space);
+    nh.setCallbackQueue(&served);
+    return nh;
+  }
+};
+
+}  // namespace rigid_body_sim
