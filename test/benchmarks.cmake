@@ -15,7 +15,7 @@ foreach(name long_run many step_cost)
 endforeach()
 # the map of the extremes: scripts/extremes
 rigid_body_sim_benchmark(extremes
-  SOURCES test/extremes/extremes.cpp LIBRARIES rigid_body_sim_extremes)
+  SOURCES test/extremes/extremes.cpp LIBRARIES rigid_body_sim_extreme_cases)
 # counted, not timed: scripts/count_instructions
 rigid_body_sim_benchmark(instructions
   SOURCES test/benchmark/instructions.cpp LIBRARIES rigid_body_sim_core)

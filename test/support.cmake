@@ -1,5 +1,5 @@
 # The sections of the map of the extremes, for its program and its tests.
-add_library(rigid_body_sim_extremes STATIC EXCLUDE_FROM_ALL
+add_library(rigid_body_sim_extreme_cases STATIC EXCLUDE_FROM_ALL
   test/extremes/cell.cpp
   test/extremes/cell_lines.cpp
   test/extremes/free_bodies.cpp
@@ -7,6 +7,6 @@ add_library(rigid_body_sim_extremes STATIC EXCLUDE_FROM_ALL
   test/extremes/one_body.cpp
   test/extremes/refusals.cpp
   test/extremes/schedules.cpp)
-target_include_directories(rigid_body_sim_extremes PUBLIC test)
-target_link_libraries(rigid_body_sim_extremes
+target_include_directories(rigid_body_sim_extreme_cases PUBLIC test)
+target_link_libraries(rigid_body_sim_extreme_cases
   PUBLIC rigid_body_sim_scene PRIVATE rigid_body_sim_options)

@@ -55,7 +55,7 @@ find_package(GSL REQUIRED)
 rigid_body_sim_gtest(elliptic
   FOLDERS math/elliptic LIBRARIES rigid_body_sim_core GSL::gsl)
 rigid_body_sim_gtest(extremes
-  SOURCES test/extremes/test_extremes.cpp LIBRARIES rigid_body_sim_extremes)
+  SOURCES test/extremes/test_extremes.cpp LIBRARIES rigid_body_sim_extreme_cases)
 rigid_body_sim_gtest(apart
   SOURCES test/extremes/apart.cpp test/extremes/test_apart.cpp LIBRARIES rigid_body_sim_options)
 

@@ -6,7 +6,7 @@ rigid_body_sim_benchmark(benchmark_peers
   LIBRARIES rigid_body_sim_core)
 rigid_body_sim_benchmark(extremes_engines
   SOURCES test/benchmark/peers_engines.cpp test/extremes/apart.cpp test/extremes/engines.cpp
-  LIBRARIES rigid_body_sim_extremes)
+  LIBRARIES rigid_body_sim_extreme_cases)
 
 function(rigid_body_sim_peer name)
   cmake_parse_arguments(ARG "" "" "INCLUDES;LIBRARIES" ${ARGN})
