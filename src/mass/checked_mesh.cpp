@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -8,6 +7,9 @@
 
 #include "mass/edge_fault.hpp"
 #include "mass/merged_vertices.hpp"
+#include "mass/oriented_shells.hpp"
+#include "mass/shells.hpp"
+#include "mass/welded_vertices.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -48,57 +50,78 @@ double diameter(const std::vector<Vector3d>& vertices) {
 }
 
 double surfaceArea(const TriangleMesh& mesh) {
-  double area = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vector3d& a = mesh.vertices[t[0]];
-    const Vector3d along = mesh.vertices[t[1]] - a;
-    area += along.cross(mesh.vertices[t[2]] - a).norm() / 2;
-  }
-  return area;
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) sum += area(mesh, t);
+  return sum;
 }
 
-std::string volumeFault(const TriangleMesh& mesh, double mesh_volume) {
-  const double area = surfaceArea(mesh);
-  // what rounding alone can give a flat mesh: heights off by a few ulp of its size, times its base
-  const double rounding =
-      4 * std::numeric_limits<double>::epsilon() * diameter(mesh.vertices) * area;
-  if (std::isfinite(mesh_volume) && std::abs(mesh_volume) > rounding) return {};
+std::string volumeFault(const TriangleMesh& mesh) {
+  const double mesh_volume = volume(mesh), mesh_area = surfaceArea(mesh);
+  if (mesh_volume > 0 && !isFlat(mesh_volume, mesh_area, diameter(mesh.vertices))) return {};
   std::ostringstream fault;
   fault.precision(17);
-  fault << "mesh must enclose a volume, got " << mesh_volume << " m^3 within a surface of " << area
-        << " m^2";
+  fault << "mesh must enclose a volume, got " << mesh_volume << " m^3 within a surface of "
+        << mesh_area << " m^2";
   return fault.str();
 }
 
-std::string turnedAround(TriangleMesh& mesh, double inward_volume) {
-  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+/// How far vertices are welded at most: the rounding, but no more than a hundred-thousandth of the
+/// mesh, so that coarse numbers join nothing that one can see. Zero where that is less than the
+/// vertices themselves can resolve.
+Vector3d weldTolerance(const TriangleMesh& mesh, const Vector3d& rounding) {
+  const Vector3d tolerance = rounding.cwiseMin(1e-5 * diameter(mesh.vertices));
+  double largest = 0;
+  for (const Vector3d& v : mesh.vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  const double resolved = std::numeric_limits<double>::epsilon() * largest;
+  return tolerance.minCoeff() > resolved ? tolerance : Vector3d::Zero();
+}
+
+std::string weldNotice(const WeldedMesh& weld, std::size_t open_edges, const Vector3d& tolerance) {
   std::ostringstream notice;
-  notice.precision(17);
-  notice << "mesh is oriented inwards (volume " << inward_volume << " m^3): its "
-         << mesh.triangles.size() << " triangles are turned around";
+  notice << "mesh has " << open_edges << " open edges: " << weld.vertices
+         << " vertices are welded to others at most " << weld.distance
+         << " m away, within the rounding of the file's numbers (" << tolerance.maxCoeff() << " m)";
   return notice.str();
+}
+
+/// Checks the edges; welds vertices where the mesh is open and closes by it.
+void closeEdges(CheckedMesh& checked, EdgeUses& edges, const Vector3d& rounding) {
+  const EdgeFault fault = edgeFault(checked.mesh, edges);
+  checked.fault = fault.text;
+  if (fault.open_edges == 0) return;
+  const Vector3d tolerance = weldTolerance(checked.mesh, rounding);
+  if (tolerance.isZero(0)) return;
+  WeldedMesh weld = welded(checked.mesh, edges, tolerance);
+  if (weld.vertices == 0 || weld.mesh.triangles.empty()) return;
+  EdgeUses welded_edges(weld.mesh);
+  checked.fault = edgeFault(weld.mesh, welded_edges).text;
+  if (!checked.fault.empty()) return;
+  checked.notices.push_back(weldNotice(weld, fault.open_edges, tolerance));
+  checked.mesh = std::move(weld.mesh);
+  edges = std::move(welded_edges);
 }
 
 }  // namespace
 
-CheckedMesh checkedMesh(const TriangleMesh& mesh) {
+CheckedMesh checkedMesh(const TriangleMesh& mesh, const Vector3d& rounding) {
   CheckedMesh checked;
   checked.fault = triangleFault(mesh);
   if (checked.fault.empty()) checked.fault = vertexFault(mesh.vertices);
   if (!checked.fault.empty()) return checked;
 
   checked.mesh = withMergedVertices(mesh);
-  if (checked.mesh.triangles.empty())
+  if (checked.mesh.triangles.empty()) {
     checked.fault = "mesh must have a triangle with three different corners, got 0 of " +
                     std::to_string(mesh.triangles.size());
-  else
-    checked.fault = edgeFault(checked.mesh);
+    return checked;
+  }
+  EdgeUses edges(checked.mesh);
+  closeEdges(checked, edges, rounding);
   if (!checked.fault.empty()) return checked;
 
-  const double mesh_volume = volume(checked.mesh);
-  checked.fault = volumeFault(checked.mesh, mesh_volume);
-  if (checked.fault.empty() && mesh_volume < 0)
-    checked.notice = turnedAround(checked.mesh, mesh_volume);
+  for (std::string& notice : orientShells(checked.mesh, edges))
+    checked.notices.push_back(std::move(notice));
+  checked.fault = volumeFault(checked.mesh);
   return checked;
 }
 

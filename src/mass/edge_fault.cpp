@@ -7,38 +7,13 @@
 namespace rigid_body_sim {
 namespace {
 
-/// A triangle's use of an edge, in one number that sorts: lower vertex, upper vertex, direction.
-using EdgeUse = std::uint64_t;
-
-EdgeUse edgeUse(std::uint32_t from, std::uint32_t to) {
-  const std::uint64_t lower = std::min(from, to), upper = std::max(from, to);
-  return lower << 32 | upper << 1 | (from > to ? 1u : 0u);
-}
-std::size_t lowerVertex(EdgeUse use) { return use >> 32; }
-std::size_t upperVertex(EdgeUse use) { return (use & 0xffffffffu) >> 1; }
-
-std::vector<EdgeUse> sortedEdgeUses(const std::vector<Triangle>& triangles) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles) {
-    uses.push_back(edgeUse(t[0], t[1]));
-    uses.push_back(edgeUse(t[1], t[2]));
-    uses.push_back(edgeUse(t[2], t[0]));
-  }
-  std::sort(uses.begin(), uses.end());
-  return uses;
-}
-
 /// Edges that break one rule.
 struct Offenders {
   std::size_t edges = 0;
-  EdgeUse first = 0;
-  std::size_t triangles_at_first = 0;
+  std::optional<Edge> first;
 
-  void add(EdgeUse use, std::size_t triangles) {
-    if (edges++ > 0) return;
-    first = use;
-    triangles_at_first = triangles;
+  void add(const Edge& edge) {
+    if (edges++ == 0) first = edge;
   }
 };
 
@@ -52,45 +27,55 @@ std::optional<std::uint32_t> cornerOfDoubled(std::vector<Triangle> triangles) {
   return doubled->front();
 }
 
+/// Edges by the rule that they break.
+struct Survey {
+  Offenders open, overused, one_way;
+  bool shared = false;  ///< an edge, by more than two triangles
+};
+
+Survey survey(const EdgeUses& edges) {
+  Survey found;
+  edges.forEach([&found](const Edge& edge) {
+    found.shared |= edge.triangles() > 2;
+    if (isBalanced(edge)) return;
+    Offenders& offenders = edge.triangles() == 1   ? found.open
+                           : edge.triangles() == 2 ? found.one_way
+                                                   : found.overused;
+    offenders.add(edge);
+  });
+  return found;
+}
+
+std::string placeOf(const TriangleMesh& mesh, const Offenders& offenders) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "from [" << mesh.vertices[offenders.first->lower].transpose() << "] to ["
+       << mesh.vertices[offenders.first->upper].transpose() << "] m";
+  return text.str();
+}
+
 }  // namespace
 
-std::string edgeFault(const TriangleMesh& mesh) {
-  const std::vector<EdgeUse> uses = sortedEdgeUses(mesh.triangles);
-  Offenders open, overused, one_way;
-  bool shared = false;  // an edge, by more than two triangles
-  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
-    std::size_t backward = 0;
-    for (; end < uses.size() && uses[end] >> 1 == uses[begin] >> 1; ++end)
-      backward += uses[end] & 1u;
-    const std::size_t triangles = end - begin;
-    shared |= triangles > 2;
-    if (2 * backward == triangles) continue;
-    (triangles == 1 ? open : triangles == 2 ? one_way : overused).add(uses[begin], triangles);
-  }
-
+EdgeFault edgeFault(const TriangleMesh& mesh, const EdgeUses& edges) {
+  const Survey found = survey(edges);
   std::ostringstream fault;
   fault.precision(17);
-  const auto place = [&](const Offenders& o) {
-    std::ostringstream text;
-    text.precision(17);
-    text << "from [" << mesh.vertices[lowerVertex(o.first)].transpose() << "] to ["
-         << mesh.vertices[upperVertex(o.first)].transpose() << "] m";
-    return text.str();
-  };
-  if (open.edges > 0)
-    fault << "mesh must be closed, got " << open.edges << " open edges, the first " << place(open);
-  else if (overused.edges > 0)
+  if (found.open.edges > 0)
+    fault << "mesh must be closed, got " << found.open.edges << " open edges, the first "
+          << placeOf(mesh, found.open);
+  else if (found.overused.edges > 0)
     fault << "mesh edges must have as many triangles on one side as on the other, got "
-          << overused.edges << " that have not, the first with " << overused.triangles_at_first
-          << " triangles " << place(overused);
-  else if (one_way.edges > 0)
-    fault << "mesh must be oriented consistently, got " << one_way.edges
-          << " edges along which both triangles run the same way, the first " << place(one_way);
-  else if (shared)
+          << found.overused.edges << " that have not, the first with "
+          << found.overused.first->triangles() << " triangles " << placeOf(mesh, found.overused);
+  else if (found.one_way.edges > 0)
+    fault << "mesh must be oriented consistently, got " << found.one_way.edges
+          << " edges along which both triangles run the same way, the first "
+          << placeOf(mesh, found.one_way);
+  else if (found.shared)
     if (const auto corner = cornerOfDoubled(mesh.triangles))
       fault << "mesh triangles must differ, got one twice, with a corner at ["
             << mesh.vertices[*corner].transpose() << "] m";
-  return fault.str();
+  return {fault.str(), found.open.edges};
 }
 
 }  // namespace rigid_body_sim

@@ -21,6 +21,7 @@ constexpr double kMostSteps = 9007199254740992;  ///< 2⁵³: no double counts o
 constexpr std::size_t kMostUrdfBytes = 16 << 20;
 constexpr std::size_t kMostMeshBytes = 256 << 20;  ///< of STL and OBJ
 constexpr std::size_t kMostDaeBytes = 64 << 20;
+constexpr std::size_t kMostDaeNodes = 1000000;    ///< of a DAE file, every instance counted
 constexpr std::size_t kMostTriangles = 10000000;  ///< of a mesh
 constexpr std::size_t kMostXmlDepth = 100;  ///< of elements in one another, in URDF and DAE files
 

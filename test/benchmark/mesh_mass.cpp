@@ -43,7 +43,7 @@ void readBinaryStl(benchmark::State& state) {
   const TriangleMesh mesh = sphere(state);
   const auto path = std::filesystem::temp_directory_path() / "rigid_body_sim_mesh_mass.stl";
   std::ofstream(path, std::ios::binary) << binaryStl(mesh);
-  for (auto _ : state) benchmark::DoNotOptimize(readMesh(path.string(), 1));
+  for (auto _ : state) benchmark::DoNotOptimize(readMesh(path.string()));
   std::filesystem::remove(path);
   reportPerTriangle(state, mesh);
 }

@@ -6,6 +6,7 @@
 
 #include <rigid_body_sim/mass/checked_mesh.hpp>
 
+#include "scene/meshes/read_dae.hpp"
 #include "scene/meshes/read_obj.hpp"
 #include "scene/meshes/read_stl.hpp"
 
@@ -17,7 +18,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   std::string fault;
   try {
-    const CheckedMesh checked = checkedMesh(data[0] % 2 == 0 ? readStl(bytes) : readObj(bytes));
+    const FileMesh file = data[0] % 3 == 0   ? readStl(bytes)
+                          : data[0] % 3 == 1 ? readObj(bytes)
+                                             : readDae(bytes);
+    const CheckedMesh checked = checkedMesh(file.mesh, file.rounding);
     fault = checked.fault;
     if (fault.empty() && !(volume(checked.mesh) > 0)) std::abort();
   } catch (const std::runtime_error& refused) {

@@ -25,7 +25,7 @@ class MeshLimit : public ::testing::Test {
       if (std::filesystem::path(path).extension() == ".urdf")
         readUrdf(path);
       else
-        readMesh(path, 1);
+        readMesh(path);
     } catch (const std::runtime_error& error) {
       return std::string(error.what()).substr(path.size() + 2);
     }
@@ -37,7 +37,7 @@ class MeshLimit : public ::testing::Test {
     const std::string path = directory_.written(name, "");
     std::filesystem::resize_file(path, bytes);
     try {
-      readMesh(path, 1);
+      readMesh(path);
     } catch (const std::runtime_error& error) {
       return std::string(error.what()).substr(path.size() + 2);
     }
@@ -90,11 +90,33 @@ TEST_F(MeshLimit, CountsNoEndThatXmlDoesNotHave) {
             kNotXml + "elements nested deeper than 100 levels");
 }
 
-TEST_F(MeshLimit, LeavesNoNodeOfDaeThatHoldsItself) {
+TEST_F(MeshLimit, IsOneOfTheNodesOfDaeThatLieInOneAnother) {
   std::string looped = dae(triangulated(Box{{1, 1, 1}}, 0));
   looped.replace(looped.find("<instance_geometry url=\"#g\"/>"), 29, "<instance_node url=\"#n\"/>");
   EXPECT_EQ(refusal("looped.dae", looped),
-            kNotXml + "instance_node is not taken: export the mesh with its instances expanded");
+            kNotXml + "line 11: node: must lie within at most 100 nodes, and not within itself");
+}
+
+TEST_F(MeshLimit, IsOneOfTheInstancesOfDae) {
+  // each node holds the next one twice: 2^30 instances, with and without triangles
+  std::string nodes, text = dae(triangulated(Box{{1, 1, 1}}, 0));
+  for (int i = 0; i < 30; ++i) {
+    const std::string next = "<instance_node url=\"#n" + std::to_string(i + 1) + "\"/>";
+    nodes += "<node id=\"n" + std::to_string(i) + "\">" + next + next + "</node>";
+  }
+  for (const char* last : {"", "<instance_geometry url=\"#g\"/>"}) {
+    std::string doubled = text;
+    doubled.insert(
+        doubled.find("<library_visual_scenes>"),
+        "<library_nodes>" + nodes + "<node id=\"n30\">" + last + "</node></library_nodes>");
+    doubled.replace(doubled.rfind("<instance_geometry url=\"#g\"/>"), 29,
+                    "<instance_node url=\"#n0\"/>");
+    const std::string line = refusal("doubled.dae", doubled);
+    EXPECT_TRUE(line.find("must be one of at most 1000000 nodes, instances counted") !=
+                    std::string::npos ||
+                line == "mesh must have at most 10000000 triangles")
+        << line;
+  }
 }
 
 TEST_F(MeshLimit, TellsTheLineOfAsciiStlThatIsNoStl) {
@@ -125,7 +147,7 @@ TEST_F(MeshLimit, ReadsWhatObjFilesDo) {
       "a.obj",
       "mtllib x.mtl\r\no brick\r\nv 0 0 0 1\r\nv 1 0 0 0.5 0.5 0.5\r\nv 0 1 0\r\nv 0 0 1.0e+0\r\n"
       "vn 0 0 1\r\nf -4/1/1 3//2 \\\r\n 2\r\nf 1 2 4\nf 2 3 4\n\tf 1 4 3");
-  const CheckedMesh checked = checkedMesh(readMesh(path, 1));
+  const CheckedMesh checked = checkedMesh(readMesh(path).mesh);
   EXPECT_EQ(checked.fault, "");
   EXPECT_EQ(volume(checked.mesh), 1.0 / 6);
 }
@@ -136,7 +158,7 @@ TEST_F(MeshLimit, OfADentedPolygonIsNone) {
       "arrow.obj",
       "v 2 -2 0\nv 0 0 0\nv 2 2 0\nv -2 0 0\nv 2 -2 1\nv 0 0 1\nv 2 2 1\nv -2 0 1\n"
       "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
-  const CheckedMesh checked = checkedMesh(readMesh(path, 1));
+  const CheckedMesh checked = checkedMesh(readMesh(path).mesh);
   EXPECT_EQ(checked.fault, "");
   EXPECT_EQ(std::abs(volume(checked.mesh)), 4);  // 8, that of the triangle, less the notch of 4
 }

@@ -82,7 +82,7 @@ TEST_F(MeshOfScene, HasTheMassAndPlaceOfItsSolid) {
 TEST_F(MeshOfScene, IsWhatTheMassLayerSays) {
   const std::string file =
       files_.written("scenes/cone.stl", asciiStl(triangulated(Cone{1, 2}, 24)));
-  const TriangleMesh mesh = checkedMesh(readMesh(file, 0.1)).mesh;
+  const TriangleMesh mesh = checkedMesh(readMesh(file, Vector3d::Constant(0.1)).mesh).mesh;
   EXPECT_TRUE(sameMass(massOf("{file: cone.stl, scale: 0.1}", "density: 7"),
                        massProperties(mesh, 7 * volume(mesh)), 1e-15));
 }

@@ -11,8 +11,9 @@
 namespace rigid_body_sim {
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-bool endsWord(char c) { return isBlank(c) || c == '\n'; }
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+bool endsWord(char c) { return isBlank(c) || isLineEnd(c); }
 
 locale_t classicLocale() {
   static const locale_t classic = newlocale(LC_ALL_MASK, "C", locale_t());
@@ -35,9 +36,10 @@ std::string_view WordReader::word() {
 }
 
 bool WordReader::nextLine() {
-  at_ = std::find(at_, end_, '\n');
+  at_ = std::find_if(at_, end_, isLineEnd);
   if (at_ == end_) return false;
-  ++at_;
+  const bool is_pair = at_[0] == '\r' && at_ + 1 != end_ && at_[1] == '\n';
+  at_ += is_pair ? 2 : 1;
   ++line_;
   return true;
 }

@@ -7,12 +7,13 @@
 
 namespace rigid_body_sim {
 
-/// Goes through the words of a text: what stands between blanks and ends of lines.
+/// Goes through the words of a text: what stands between blanks and ends of lines. A line ends with
+/// a line feed, a carriage return, or both.
 class WordReader {
  public:
-  /// The text must outlive the reader.
-  explicit WordReader(const std::string& text)
-      : at_(text.c_str()), end_(text.c_str() + text.size()) {}
+  /// The text must outlive the reader. first_line: the number of its first line, for messages.
+  explicit WordReader(const std::string& text, int first_line = 1)
+      : at_(text.c_str()), end_(text.c_str() + text.size()), line_(first_line) {}
 
   /// The next word of this line; empty at its end.
   std::string_view wordOfLine();
@@ -33,7 +34,7 @@ class WordReader {
  private:
   const char* at_;
   const char* end_;
-  int line_ = 1;
+  int line_;
 };
 
 }  // namespace rigid_body_sim

@@ -27,7 +27,7 @@ std::string fileFault(const std::string& path, const std::string& extension) {
   return "";
 }
 
-TriangleMesh meshIn(std::string bytes, const std::string& extension) {
+FileMesh meshIn(std::string bytes, const std::string& extension) {
   if (extension == ".stl") return readStl(bytes);
   if (extension == ".obj") return readObj(std::move(bytes));
   return readDae(bytes);
@@ -43,6 +43,13 @@ std::string meshFault(const TriangleMesh& mesh) {
   return fault.str();
 }
 
+void applyScale(const Vector3d& scale, FileMesh& read) {
+  for (Vector3d& v : read.mesh.vertices) v = v.cwiseProduct(scale);
+  read.rounding = read.rounding.cwiseProduct(scale.cwiseAbs());
+  if (scale.array().sign().prod() > 0) return;
+  for (Triangle& t : read.mesh.triangles) std::swap(t[1], t[2]);
+}
+
 }  // namespace
 
 std::string extensionOf(const std::string& path) {
@@ -51,23 +58,23 @@ std::string extensionOf(const std::string& path) {
   return extension;
 }
 
-TriangleMesh readMesh(const std::string& path, double scale) {
+FileMesh readMesh(const std::string& path, const Vector3d& scale) {
   const std::string extension = extensionOf(path);
   std::string fault = fileFault(path, extension);
-  TriangleMesh mesh;
+  FileMesh read;
   if (fault.empty()) {
     std::string bytes =
         readFile(path, "mesh file", extension == ".dae" ? kMostDaeBytes : kMostMeshBytes);
     try {
-      mesh = meshIn(std::move(bytes), extension);
-      fault = meshFault(mesh);
+      read = meshIn(std::move(bytes), extension);
+      fault = meshFault(read.mesh);
     } catch (const std::runtime_error& e) {
       fault = e.what();
     }
   }
   if (!fault.empty()) throw std::runtime_error(path + ": " + fault);
-  for (Vector3d& v : mesh.vertices) v *= scale;
-  return mesh;
+  applyScale(scale, read);
+  return read;
 }
 
 }  // namespace rigid_body_sim

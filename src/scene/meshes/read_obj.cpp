@@ -1,7 +1,10 @@
 #include "scene/meshes/read_obj.hpp"
 
+#include <utility>
+
 #include "scene/files/word_reader.hpp"
 #include "scene/meshes/mesh_room.hpp"
+#include "scene/meshes/number_precision.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -10,23 +13,27 @@ namespace {
 void joinLines(std::string& text) {
   for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1)) {
     std::size_t end = at + 1;
-    if (end < text.size() && text[end] == '\r') ++end;
-    if (end < text.size() && text[end] == '\n') text[at] = text[end] = ' ';
+    if (text.compare(end, 2, "\r\n") == 0) text[end++] = ' ';
+    if (end < text.size() && (text[end] == '\n' || text[end] == '\r')) text[at] = text[end] = ' ';
   }
 }
 
 void blankComments(std::string& text) {
   bool comment = false;
   for (char& c : text) {
-    comment = c != '\n' && (comment || c == '#');
+    comment = c != '\n' && c != '\r' && (comment || c == '#');
     if (comment) c = ' ';
   }
 }
 
 /// x y z, or x y z w, or with a colour x y z r g b.
-Vector3d readVertex(WordReader& line) {
+Vector3d readVertex(WordReader& line, NumberPrecision& precision) {
   Vector3d v;
-  for (int i = 0; i < 3; ++i) v[i] = line.number(line.wordOfLine());
+  for (int i = 0; i < 3; ++i) {
+    const std::string_view word = line.wordOfLine();
+    v[i] = line.number(word);
+    precision.add(word, v[i]);
+  }
   const std::string_view fourth = line.wordOfLine();
   const bool is_weight = !fourth.empty() && line.wordOfLine().empty();
   if (is_weight && line.number(fourth) != 1) line.fail("a vertex of weight 1", fourth);
@@ -64,20 +71,22 @@ void readFace(WordReader& line, TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh readObj(std::string text) {
+FileMesh readObj(std::string text) {
   if (text.compare(0, 3, "\xEF\xBB\xBF") == 0) text.erase(0, 3);  // byte order mark
   blankComments(text);
   joinLines(text);
   TriangleMesh mesh;
+  NumberPrecision precision;
   WordReader line(text);
   do {
     const std::string_view keyword = line.wordOfLine();
     if (keyword == "v")
-      mesh.vertices.push_back(readVertex(line));
+      mesh.vertices.push_back(readVertex(line, precision));
     else if (keyword == "f")
       readFace(line, mesh);
   } while (line.nextLine());
-  return mesh;
+  const Vector3d rounding = Vector3d::Constant(precision.rounding(mesh.vertices));
+  return {std::move(mesh), rounding};
 }
 
 }  // namespace rigid_body_sim

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <rigid_body_sim/mass/triangle_mesh.hpp>
+#include "scene/meshes/file_mesh.hpp"
 
 namespace rigid_body_sim {
 
@@ -12,6 +12,6 @@ namespace rigid_body_sim {
 ///
 /// Throws std::runtime_error with one line for what is no number, a face of fewer than three
 /// corners, a corner that no vertex before it has, and a vertex with a weight other than one.
-TriangleMesh readObj(std::string text);
+FileMesh readObj(std::string text);
 
 }  // namespace rigid_body_sim

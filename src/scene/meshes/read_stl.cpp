@@ -5,8 +5,10 @@
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "scene/files/word_reader.hpp"
+#include "scene/meshes/number_precision.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -18,6 +20,14 @@ constexpr std::size_t kHeader = 84;
 constexpr std::size_t kTriangle = 50;
 constexpr std::size_t kVector = 12;
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// The bytes without a byte order mark, which some editors put before a text.
+std::string_view withoutMark(std::string_view bytes) {
+  const bool marked = bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark;
+  return marked ? bytes.substr(kByteOrderMark.size()) : bytes;
+}
+
 /// Keywords are written in either case.
 bool isWord(std::string_view word, std::string_view lower_case) {
   const auto matches = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; };
@@ -27,7 +37,7 @@ bool isWord(std::string_view word, std::string_view lower_case) {
 /// Binary files too may begin with "solid", but text holds no zero byte; a count has one below 2²⁴
 /// triangles.
 bool isAscii(const std::string& bytes) {
-  const std::string_view start = std::string_view(bytes).substr(0, kHeader);
+  const std::string_view start = withoutMark(bytes).substr(0, kHeader);
   const std::size_t text = start.find_first_not_of(" \t\r\n");
   return text != std::string_view::npos && isWord(start.substr(text, 5), "solid") &&
          start.find('\0') == std::string_view::npos;
@@ -52,7 +62,7 @@ void addTriangle(TriangleMesh& mesh) {
   mesh.triangles.push_back({next - 3, next - 2, next - 1});
 }
 
-TriangleMesh readBinary(const std::string& bytes) {
+FileMesh readBinary(const std::string& bytes) {
   if (bytes.size() < kHeader)
     throw std::runtime_error("binary STL must have a header of 84 bytes, got " +
                              std::to_string(bytes.size()) + " bytes");
@@ -73,14 +83,15 @@ TriangleMesh readBinary(const std::string& bytes) {
     }
     addTriangle(mesh);
   }
-  return mesh;
+  const Vector3d rounding = Vector3d::Constant(NumberPrecision().rounding(mesh.vertices));
+  return {std::move(mesh), rounding};
 }
 
 class AsciiReader {
  public:
   explicit AsciiReader(const std::string& text) : reader_(text) {}
 
-  TriangleMesh read() {
+  FileMesh read() {
     for (std::string_view word = reader_.word(); !word.empty(); word = reader_.word()) {
       if (isWord(word, "facet"))
         readFacet();
@@ -89,7 +100,8 @@ class AsciiReader {
       else
         reader_.fail("facet, solid or endsolid", word);
     }
-    return std::move(mesh_);
+    const Vector3d rounding = Vector3d::Constant(precision_.rounding(mesh_.vertices));
+    return {std::move(mesh_), rounding};
   }
 
  private:
@@ -114,16 +126,25 @@ class AsciiReader {
     const std::string_view word = reader_.word();
     if (!isWord(word, lower_case)) reader_.fail(lower_case, word);
   }
-  double number() { return reader_.number(reader_.word()); }
+  double number() {
+    const std::string_view word = reader_.word();
+    const double value = reader_.number(word);
+    precision_.add(word, value);
+    return value;
+  }
 
   WordReader reader_;
+  NumberPrecision precision_;
   TriangleMesh mesh_;
 };
 
 }  // namespace
 
-TriangleMesh readStl(const std::string& bytes) {
-  return isAscii(bytes) ? AsciiReader(bytes).read() : readBinary(bytes);
+FileMesh readStl(const std::string& bytes) {
+  if (!isAscii(bytes)) return readBinary(bytes);
+  if (withoutMark(bytes).size() == bytes.size()) return AsciiReader(bytes).read();
+  const std::string text(withoutMark(bytes));
+  return AsciiReader(text).read();
 }
 
 }  // namespace rigid_body_sim

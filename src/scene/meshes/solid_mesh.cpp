@@ -10,9 +10,10 @@
 namespace rigid_body_sim {
 
 MeshDef readSolidMesh(const std::string& path, double scale, std::vector<std::string>& notices) {
-  const CheckedMesh checked = checkedMesh(readMesh(path, scale));
+  const FileMesh file = readMesh(path, Vector3d::Constant(scale));
+  const CheckedMesh checked = checkedMesh(file.mesh, file.rounding);
   if (!checked.fault.empty()) throw std::runtime_error(path + ": " + checked.fault);
-  if (!checked.notice.empty()) notices.push_back(path + ": " + checked.notice);
+  for (const std::string& notice : checked.notices) notices.push_back(path + ": " + notice);
   MeshDef def;
   def.url = viewerUrl(path, "");
   def.scale = scale;
