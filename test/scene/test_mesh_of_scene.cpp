@@ -1,4 +1,5 @@
 #include <cstring>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -65,6 +66,26 @@ class MeshOfScene : public ::testing::Test {
 
   TemporaryDirectory files_;
 };
+
+/// A turned cube of 1 m × 1 m × 1.1 m each of whose triangles was rounded on its own way.
+TriangleMesh rounded() {
+  Isometry3d X = Isometry3d::Identity();
+  X.linear() = Eigen::AngleAxisd(0.3, Vector3d::UnitZ()).toRotationMatrix();
+  TriangleMesh loose = soup(transformed(X, triangulated(Box{{1, 1, 1.1}}, 0)));
+  for (std::size_t i = 0; i < loose.vertices.size(); ++i)
+    loose.vertices[i][static_cast<int>(i % 3)] += (static_cast<double>(i % 4) - 1.5) * 6e-8;
+  return loose;
+}
+
+std::string objOf(const TriangleMesh& mesh, int digits) {
+  std::ostringstream text;
+  text.precision(digits);
+  for (const Vector3d& v : mesh.vertices)
+    text << "v " << v.x() << " " << v.y() << " " << v.z() << "\n";
+  for (const Triangle& t : mesh.triangles)
+    text << "f " << t[0] + 1 << " " << t[1] + 1 << " " << t[2] + 1 << "\n";
+  return text.str();
+}
 
 const std::string kAt = ":4: body 'a': shape.mesh";
 
@@ -136,8 +157,80 @@ TEST_F(MeshOfScene, KeepsTheRulesOfItsKeys) {
   EXPECT_EQ(error("{file: brick.stl, scale: 0}"), kAt + ".scale must be > 0, got 0");
   EXPECT_EQ(error("{file: brick.stl, scale: -1}"), kAt + ".scale must be > 0, got -1");
   EXPECT_EQ(error("{file: brick.stl, unit: mm}"),
-            ":4: body 'a': unknown key 'shape.mesh.unit' (known: file, scale)");
+            ":4: body 'a': unknown key 'shape.mesh.unit' (known: file, scale, solid)");
   EXPECT_EQ(error("brick.stl"), kAt + " must be a mapping, got brick.stl");
+}
+
+TEST_F(MeshOfScene, MayBeScaledAxisByAxisAndMirrored) {
+  files_.written("scenes/brick.stl", binaryStl(brick()));
+  const Vector3d scale(-2, 0.5, 3);
+  const MassProperties expected{3, scale.cwiseProduct(Vector3d(2, 0.5, -1)),
+                                massProperties(Box{Vector3d(2, 1, 1.5)}, 3).I_Bcm};
+  const Scene scaled = loadScene(scene("{file: brick.stl, scale: [-2, 0.5, 3]}"));
+  EXPECT_TRUE(sameMass(massProperties(scaled.bodies[0]), expected, 1e-14));
+  EXPECT_TRUE(scaled.notices.empty());
+  EXPECT_EQ(error("{file: brick.stl, scale: [1, 0, 1]}"),
+            kAt + ".scale must be > 0 or three numbers other than 0, got [1, 0, 1]");
+  EXPECT_EQ(error("{file: brick.stl, scale: [1, 1]}"),
+            kAt + ".scale must be a list of 3 numbers, got [1, 1]");
+}
+
+TEST_F(MeshOfScene, MayBeTheHullOrTheBoxOfAnOpenOne) {
+  TriangleMesh open = brick();
+  open.triangles.resize(9);  // the vertices are all in use
+  const std::string path = files_.written("scenes/open.stl", binaryStl(open));
+  for (const auto& [solid, name] :
+       {std::pair{"hull", "convex hull"}, std::pair{"box", "oriented bounding box"}}) {
+    const std::string entry = std::string("{file: open.stl, solid: ") + solid + "}";
+    EXPECT_TRUE(sameMass(massOf(entry), brickOf(3, 1), 1e-14));
+    EXPECT_TRUE(sameMass(massOf(entry, "density: 3"), brickOf(3, 1), 1e-14));
+    const Scene loaded = loadScene(scene(entry));
+    ASSERT_EQ(loaded.notices.size(), 1U);
+    EXPECT_EQ(loaded.notices[0], files_.path("scenes/s.yaml") + kAt + ".file: " + path +
+                                     ": solid is the " + name +
+                                     " of the mesh, of 1 m^3, in place of its surface");
+  }
+  EXPECT_EQ(error("{file: open.stl, solid: shell}"),
+            kAt + ".solid must be surface, hull or box, got shell");
+}
+
+TEST_F(MeshOfScene, SaysWhatToDoAboutAnOpenOne) {
+  TriangleMesh open = brick();
+  open.triangles.pop_back();
+  files_.written("scenes/open.stl", binaryStl(open));
+  for (const char* entry : {"{file: open.stl}", "{file: open.stl, solid: surface}"}) {
+    EXPECT_THAT(error(entry),
+                HasSubstr(": mesh must be closed, got 3 open edges, the first from "));
+    EXPECT_THAT(error(entry), HasSubstr("shape: {mesh: {file:, solid: hull}} or solid: box"));
+  }
+}
+
+TEST_F(MeshOfScene, HasNoHullWhereItIsFlat) {
+  files_.written("scenes/flat.obj", "v 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 2 3\n");
+  for (const char* solid : {"hull", "box"})
+    EXPECT_THAT(
+        error(std::string("{file: flat.obj, solid: ") + solid + "}"),
+        HasSubstr("flat.obj: convex hull must enclose a volume, but all vertices lie in one "
+                  "plane, to within "));
+}
+
+TEST_F(MeshOfScene, IsClosedWhereItsCornersDifferByTheRoundingOfItsNumbers) {
+  const MassProperties expected{3, Vector3d::Zero(), massProperties(Box{{1, 1, 1.1}}, 3).I_Bcm};
+  files_.written("scenes/binary.stl", binaryStl(rounded()));
+  files_.written("scenes/seven.obj", objOf(rounded(), 7));
+  files_.written("scenes/nine.obj", objOf(rounded(), 9));
+  for (const std::string name : {"binary.stl", "seven.obj", "nine.obj"}) {
+    const Scene loaded = loadScene(scene("{file: " + name + "}"));
+    MassProperties mass = massProperties(loaded.bodies[0]);
+    EXPECT_LT(mass.com_B.norm(), 1e-6) << name;
+    mass.com_B.setZero();
+    EXPECT_TRUE(sameMass(mass, expected, 1e-6)) << name;
+    ASSERT_EQ(loaded.notices.size(), 1U) << name;
+    EXPECT_THAT(loaded.notices[0], HasSubstr(" vertices are welded to others at most "));
+  }
+  // of sixteen digits none of which is rounding
+  files_.written("scenes/exact.obj", objOf(rounded(), 16));
+  EXPECT_THAT(error("{file: exact.obj}"), HasSubstr("mesh must be closed"));
 }
 
 TEST_F(MeshOfScene, SaysWhatIsWrongWithAFile) {

@@ -106,6 +106,15 @@ TEST_F(MassPropertiesProgram, TellsOfTheUnitCube) {
             "</inertial>\n");
 }
 
+TEST_F(MassPropertiesProgram, ScalesAMesh) {
+  EXPECT_EQ(out(unitCube() + " --density 6 --scale 0.5 --format yaml"),
+            "bodies:\n"
+            "  - name: unit_cube  # volume 0.125 m^3, density 6 kg/m^3\n"
+            "    mass: 0.75\n"
+            "    center_of_mass: [0, 0, 0]\n"
+            "    inertia: {ixx: 0.03125, iyy: 0.03125, izz: 0.03125, ixy: 0, ixz: 0, iyz: 0}\n");
+}
+
 TEST_F(MassPropertiesProgram, SaysWhatDensityItAssumed) {
   EXPECT_THAT(out(unitCube()),
               StartsWith("unit_cube: volume 1 m^3, density 1000 kg/m^3 (assumed: neither --density "
@@ -248,6 +257,9 @@ TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsUsage) {
   expectFailure("a.stl --mass", 2, "--mass needs a value" + help);
   expectFailure("a.stl --mass -1", 2, "--mass: must be a finite number > 0, got '-1'" + help);
   expectFailure("a.stl --density x", 2, "--density: must be a finite number > 0, got 'x'" + help);
+  expectFailure("a.stl --scale -1", 2, "--scale: must be a finite number > 0, got '-1'" + help);
+  expectFailure("a.yaml --scale 2", 2,
+                "--scale goes with a mesh; a.yaml says how large its bodies are" + help);
   expectFailure("a.stl --mass 1 --density 1", 2, "--density cannot stand beside --mass" + help);
   expectFailure("a.stl --format xml", 2, "--format: must be text, urdf or yaml, got 'xml'" + help);
   expectFailure("a.yaml --mass 1", 2,
@@ -258,7 +270,7 @@ TEST_F(MassPropertiesProgram, ExplainsItself) {
   const std::string help = out("--help");
   EXPECT_THAT(help, StartsWith("usage: mass_properties FILE [options]\n"));
   for (const char* word :
-       {"--density", "--mass", "--format", "text", "yaml", "urdf", "Exit status"})
+       {"--density", "--mass", "--scale", "--format", "text", "yaml", "urdf", "Exit status"})
     EXPECT_THAT(help, HasSubstr(word));
 }
 

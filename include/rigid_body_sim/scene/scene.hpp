@@ -37,11 +37,16 @@ struct VisualDef {
   std::optional<Color> color;  ///< none: as the viewer likes
 };
 
-/// The solid within a closed triangle mesh, in the axes of its file. The triangles themselves have
-/// done their work once these integrals are known.
+/// Which solid a mesh stands for: what its closed surface encloses, its convex hull, or its
+/// oriented bounding box.
+enum class MeshSolid { kSurface, kHull, kBox };
+
+/// The solid of a triangle mesh, in the axes of its file. The triangles themselves have done their
+/// work once these integrals are known.
 struct MeshDef {
-  std::string url;      ///< of the file: package:// as in the scene, else file://
-  double scale = 1;     ///< > 0, multiplies every length of the file
+  std::string url;                    ///< of the file: package:// as in the scene, else file://
+  Vector3d scale = Vector3d::Ones();  ///< of the axes of the file; none is 0
+  MeshSolid solid = MeshSolid::kSurface;
   double volume = 0;    ///< [m³] > 0, of the scaled mesh
   MassProperties unit;  ///< of one kilogram of it
 };

@@ -11,7 +11,7 @@ namespace {
 
 Visual visualOf(const Shape& shape, const Isometry3d& X_BS) { return {shape, X_BS, {}}; }
 Visual visualOf(const MeshDef& mesh, const Isometry3d& X_BS) {
-  return {MeshVisual{mesh.url, Vector3d::Constant(mesh.scale)}, X_BS, {}};
+  return {MeshVisual{mesh.url, mesh.scale}, X_BS, {}};
 }
 
 Visual visualOf(const SolidDef& solid, const Isometry3d& X_BS) {

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include <rigid_body_sim/scene/load_scene.hpp>
@@ -17,7 +18,8 @@ struct ReadContext {
   PackageFinder find_package;       ///< may be empty
 
   std::vector<std::string> notices;
-  std::map<std::pair<std::string, double>, MeshDef> meshes;  ///< by path and scale: each read once
+  using MeshKey = std::tuple<std::string, std::array<double, 3>, MeshSolid>;
+  std::map<MeshKey, MeshDef> meshes;  ///< by path, scale and solid: each read once
 };
 
 }  // namespace rigid_body_sim

@@ -7,17 +7,35 @@
 namespace rigid_body_sim {
 namespace {
 
-/// The solid of the file that an entry names; a file that two bodies name is read once.
-const MeshDef& solidOf(const Entry& file, const std::string& path, double scale) {
+/// What an entry says of a mesh.
+struct MeshEntry {
+  FileReference file;
+  Vector3d scale = Vector3d::Ones();
+  MeshSolid solid = MeshSolid::kSurface;
+};
+
+MeshSolid readMeshSolid(const Entry& value) {
+  const std::string& name = value.node().text;
+  if (name == "surface") return MeshSolid::kSurface;
+  if (name == "hull") return MeshSolid::kHull;
+  if (name == "box") return MeshSolid::kBox;
+  value.failRule("must be surface, hull or box");
+}
+
+/// The solid of the file that an entry names; one that two bodies name alike is read once.
+const MeshDef& solidOf(const Entry& file, const MeshEntry& mesh) {
   ReadContext& context = file.context();
-  const auto known = context.meshes.find({path, scale});
+  const std::string& path = mesh.file.path;
+  const ReadContext::MeshKey key{
+      path, {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}, mesh.solid};
+  const auto known = context.meshes.find(key);
   if (known != context.meshes.end()) return known->second;
   try {
     std::vector<std::string> notices;
-    const MeshDef def = readSolidMesh(path, scale, notices);
+    const MeshDef def = readSolidMesh(path, mesh.scale, mesh.solid, notices);
     for (const std::string& notice : notices)
       context.notices.push_back(file.located(file.key() + ": " + notice));
-    return context.meshes[{path, scale}] = def;
+    return context.meshes[key] = def;
   } catch (const std::runtime_error& e) {
     file.fail(file.key() + ": " + e.what());
   }
@@ -25,20 +43,25 @@ const MeshDef& solidOf(const Entry& file, const std::string& path, double scale)
 
 }  // namespace
 
+Vector3d readMeshScale(const Entry& value) {
+  if (value.node().kind == YamlNode::Kind::kScalar)
+    return Vector3d::Constant(readPositive(value, ""));
+  const Vector3d scale = readVector3(value, "");
+  if ((scale.array() == 0).any()) value.failRule("must be > 0 or three numbers other than 0");
+  return scale;
+}
+
 MeshDef readMeshDef(const Entry& entry) {
-  struct Named {
-    FileReference file;
-    double scale = 1;
+  const std::vector<Key<MeshEntry>> keys = {
+      {"file", [](const Entry& e, MeshEntry& m) { m.file = readFileReference(e); }, true},
+      {"scale", [](const Entry& e, MeshEntry& m) { m.scale = readMeshScale(e); }},
+      {"solid", [](const Entry& e, MeshEntry& m) { m.solid = readMeshSolid(e); }},
   };
-  const std::vector<Key<Named>> keys = {
-      {"file", [](const Entry& e, Named& n) { n.file = readFileReference(e); }, true},
-      {"scale", [](const Entry& e, Named& n) { n.scale = readPositive(e, ""); }},
-  };
-  Named named;
-  readMapping(entry, keys, named);
+  MeshEntry mesh;
+  readMapping(entry, keys, mesh);
   const Entry file = entry.child(*entry.node().find("file"));
-  MeshDef def = solidOf(file, named.file.path, named.scale);
-  def.url = named.file.url;
+  MeshDef def = solidOf(file, mesh);
+  def.url = mesh.file.url;
   return def;
 }
 

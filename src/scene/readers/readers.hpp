@@ -14,6 +14,9 @@ Drag readDrag(const Entry& entry);
 /// The value of `shape`.
 SolidGeometry readGeometry(const Entry& entry);
 
+/// The value of `scale` of a mesh: one number > 0, or three other than 0.
+Vector3d readMeshScale(const Entry& value);
+
 /// The value of `mesh` within a shape; reads the file.
 MeshDef readMeshDef(const Entry& entry);
 

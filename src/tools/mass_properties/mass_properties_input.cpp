@@ -24,7 +24,8 @@ std::string nameOf(const std::string& path) {
 
 Masses massOfMesh(const MassPropertiesOptions& options) {
   Masses masses;
-  const MeshDef mesh = readSolidMesh(options.file, 1, masses.notices);
+  const MeshDef mesh = readSolidMesh(options.file, Vector3d::Constant(options.scale.value_or(1)),
+                                     MeshSolid::kSurface, masses.notices);
   const double density = options.density.value_or(kDensityOfWater);
   const MassProperties mass =
       massProperties(SolidDef{mesh, options.mass ? *options.mass : density * mesh.volume});
@@ -73,6 +74,9 @@ Masses readMasses(const MassPropertiesOptions& options) {
   if (options.density || options.mass)
     throw UsageError("--density and --mass go with a mesh; " + options.file +
                      " says what its bodies weigh");
+  if (options.scale)
+    throw UsageError("--scale goes with a mesh; " + options.file +
+                     " says how large its bodies are");
   return is_urdf ? massesOfUrdf(options.file) : massesOfScene(options.file);
 }
 

@@ -19,6 +19,7 @@ MassPropertiesOptions parseMassPropertiesOptions(int argc, char** argv) {
   const OptionActions actions{
       {"density", [&](const char* s) { options.density = positiveNumber("density", s); }},
       {"mass", [&](const char* s) { options.mass = positiveNumber("mass", s); }},
+      {"scale", [&](const char* s) { options.scale = positiveNumber("scale", s); }},
       {"format", [&](const char* s) { options.format = formatNamed(s); }}};
   const auto file = readCommandLine(argc, argv, actions, "file");
   options.help = !file;
@@ -36,6 +37,7 @@ Mass, centre of mass and inertia, with the principal moments and axes, of
 
   --density X        of a mesh [kg/m^3]; default 1000, and the output says so
   --mass X           of a mesh [kg], in place of a density
+  --scale X          multiplies every length of a mesh: 0.001 for one in millimetres
   --format text      for people, 10 digits (default)
            yaml      entries for the `bodies` of a scene, 17 digits: nothing is lost; a name that
                      a scene does not accept is changed, and the line says so

@@ -12,6 +12,7 @@ struct MassPropertiesOptions {
   std::string file;               ///< mesh, scene or URDF
   std::optional<double> density;  ///< [kg/m³] > 0, of a mesh
   std::optional<double> mass;     ///< [kg] > 0, of a mesh
+  std::optional<double> scale;    ///< > 0, multiplies every length of a mesh
   MassFormat format = MassFormat::kText;
   bool help = false;
 };
