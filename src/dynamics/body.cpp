@@ -1,3 +1,4 @@
+#include <stdexcept>
 #include <utility>
 
 #include <rigid_body_sim/dynamics/body.hpp>
@@ -6,6 +7,8 @@
 namespace rigid_body_sim {
 
 Body makeBody(std::string name, const MassProperties& properties_B) {
+  const std::string fault = massPropertiesFault(properties_B);
+  if (!fault.empty()) throw std::invalid_argument("body '" + name + "': " + fault);
   const PrincipalAxes axes = principalAxes(properties_B.I_Bcm);
   Body body;
   body.name = std::move(name);

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include <rigid_body_sim/dynamics/state.hpp>
 
@@ -27,10 +26,11 @@ BodyFrameMotion toBodyFrameMotion(const Body& body, const BodyState& state) {
   return motion;
 }
 
-double positionRounding(const Body& body, const BodyState& state) {
-  const double radius = std::sqrt(body.I.maxCoeff() / body.mass);
-  return 4 * std::numeric_limits<double>::epsilon() * (state.x_W.norm() + radius);
+double distanceBetween(const BodyState& a, const BodyState& b) {
+  return ((a.x_W - b.x_W) + (a.x_low_W - b.x_low_W)).norm();
 }
+
+double radiusOfGyration(const Body& body) { return std::sqrt(body.I.maxCoeff() / body.mass); }
 
 double kineticEnergy(const Body& body, const BodyState& state) {
   return 0.5 * state.p_W.squaredNorm() / body.mass + 0.5 * state.L_P.cwiseAbs2().dot(body.inv_I);

@@ -12,7 +12,18 @@ double mechanicalEnergy(const World& world, const State& state) {
     energy += kineticEnergy(body, state.bodies[i]) -
               body.mass * world.g_W.dot(state.bodies[i].x_W + state.bodies[i].x_low_W);
   }
-  for (const auto& law : world.laws) energy += law->potentialEnergy({bodies, state.bodies});
+  std::vector<double> own = state.laws;
+  const bool as_they_start = own.empty();
+  std::size_t first = 0;
+  for (const auto& law : world.laws) {
+    if (as_they_start) {
+      own.resize(first + law->stateCount());
+      law->setStart(own.data() + first);
+    }
+    const ForceLaw::Bodies at{bodies, state.bodies, own.data() + first};
+    if (law->acts(at.own)) energy += law->potentialEnergy(at);
+    first += law->stateCount();
+  }
   return energy;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "math/two_sum.hpp"
+
 namespace rigid_body_sim {
 
 /// Sum of many terms that carries what each addition rounds away: the result has the error of one
@@ -12,10 +14,9 @@ class CompensatedSum {
   explicit CompensatedSum(const T& zero) : sum_(zero), lost_(zero) {}
 
   void add(const T& term) {
-    const T sum = sum_ + term;
-    const T kept = sum - sum_;
-    lost_ += (sum_ - (sum - kept)) + (term - kept);
-    sum_ = sum;
+    T rounded_away;
+    sum_ = twoSum(sum_, term, rounded_away);
+    lost_ += rounded_away;
   }
 
   T value() const { return sum_ + lost_; }

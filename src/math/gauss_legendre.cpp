@@ -46,12 +46,12 @@ std::vector<QuadratureNode> rule(int n) {
 }  // namespace
 
 const std::vector<QuadratureNode>& gaussLegendre(int nodes) {
-  static const std::array<std::vector<QuadratureNode>, kMostGaussNodes> rules = [] {
-    std::array<std::vector<QuadratureNode>, kMostGaussNodes> all;
-    for (int n = 1; n <= kMostGaussNodes; ++n) all[static_cast<std::size_t>(n - 1)] = rule(n);
+  static const std::array<std::vector<QuadratureNode>, kMaxGaussNodes> rules = [] {
+    std::array<std::vector<QuadratureNode>, kMaxGaussNodes> all;
+    for (int n = 1; n <= kMaxGaussNodes; ++n) all[static_cast<std::size_t>(n - 1)] = rule(n);
     return all;
   }();
-  assert(1 <= nodes && nodes <= kMostGaussNodes);
+  assert(1 <= nodes && nodes <= kMaxGaussNodes);
   return rules[static_cast<std::size_t>(nodes - 1)];
 }
 

@@ -10,10 +10,10 @@ struct QuadratureNode {
   double weight;
 };
 
-/// The Gauss–Legendre rule of 1 to kMostGaussNodes nodes on [0, 1]: exact for polynomials of degree
+/// The Gauss–Legendre rule of 1 to kMaxGaussNodes nodes on [0, 1]: exact for polynomials of degree
 /// 2n − 1. The weights sum to 1.
 const std::vector<QuadratureNode>& gaussLegendre(int nodes);
 
-constexpr int kMostGaussNodes = 10;
+constexpr int kMaxGaussNodes = 10;
 
 }  // namespace rigid_body_sim

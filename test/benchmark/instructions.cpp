@@ -50,7 +50,7 @@ Bench chain(std::size_t springs) {
 
 Bench draggedBody() {
   Bench bench = freeBodies(1);
-  bench.world.bodies[0].drag = {0.1, 0, 0.1};
+  bench.addDrag(0, {0.1, 0, 0.1});
   return bench;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/methods/catalogue.hpp"
 #include "support/worlds.hpp"
 #include "tools/trade/cpu_time.hpp"
 
@@ -69,7 +70,7 @@ void compare(const char* title, const test::Bench& bench, double duration, doubl
   constexpr double kLeastError = 1e-13, kLongestRun = 4;  // [1], [s]
   std::vector<Measured> all;
   for (const Method& row : catalogue()) {
-    if (!row.takes(kCoupling)) continue;
+    if (!row.supports(kCoupling)) continue;
     double best = 1;
     int worse = 0;
     for (double step = longest; worse < 3 && best > kLeastError; step *= 0.7) {

@@ -2,6 +2,7 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "dynamics/methods/catalogue.hpp"
 #include "dynamics/rotation/rotor.hpp"
 #include "dynamics/taylor/taylor_segment.hpp"
 #include "tools/trade/cpu_time.hpp"
@@ -58,9 +59,9 @@ Quaternion<long double> trueAttitude(const Problem& p) {
     const Rotor<long double> rotor(body.I.cast<long double>());
     return rotor.from(s.q_WP, s.L_P, s.L_W).at(p.duration).q_WP * q_PB;
   }
-  HeldWrench held;
+  HeldWrenchSum held;
   held.add(pushOf(p, body));
-  return advanceTaylor<long double>(body, held, vector(p.g_W), s, p.duration).q_WP * q_PB;
+  return advanceTaylor<long double>(body, held.sum(), vector(p.g_W), s, p.duration).q_WP * q_PB;
 }
 
 Run ourRun(const Problem& p, const std::string& setting, const World& world) {
@@ -74,7 +75,7 @@ Run ourRun(const Problem& p, const std::string& setting, const World& world) {
       [&](Simulation& simulation) {
         // half a step beyond any rounding of the count
         while (simulation.time() < p.duration - 0.5 * world.solver.time_step) simulation.step();
-        const Quaterniond q = simulation.state().bodies[0].q_WP * world.bodies[0].q_BP.conjugate();
+        const Quaterniond q = simulation.body(0).q_WP * world.bodies[0].q_BP.conjugate();
         run.q = {q.x(), q.y(), q.z(), q.w()};
       },
       kBudget);

@@ -16,7 +16,7 @@ constexpr int kSteps = 1000;
 
 struct Run {
   System system;
-  std::vector<BodyState> states;
+  SystemState states;
   Workspace workspace;
 };
 
@@ -27,11 +27,12 @@ Run leverRun(const Body& body) {
   Run run;
   run.system.bodies = {&body};
   run.system.g_W = {0, 0, -9.81};
-  run.system.held.resize(1);
-  run.system.held[0].add(push);
-  run.states.resize(1);
-  run.states[0].L_P = body.I.cwiseProduct(Vector3d(1, 2, 1.5));
-  run.states[0].L_W = run.states[0].L_P;
+  HeldWrenchSum sum;
+  sum.add(push);
+  run.system.held = {sum.sum()};
+  run.states.bodies.resize(1);
+  run.states.bodies[0].L_P = body.I.cwiseProduct(Vector3d(1, 2, 1.5));
+  run.states.bodies[0].L_W = run.states.bodies[0].L_P;
   return run;
 }
 

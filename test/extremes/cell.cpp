@@ -117,8 +117,8 @@ Cell measure(Cell cell, const test::Bench& bench, const Run& run, const Ends& tr
   if (other != others().end()) return other->second(cell, bench, run, truth);
   try {
     Simulation simulation = bench.simulation(cell.row, run.time_step);
-    for (const Group& group : simulation.groups())
-      if (!group.choice().holds) cell.warned = "no integrator holds the scene's tolerance";
+    for (const MotionPlan& plan : simulation.plans())
+      if (!plan.holds) cell.warned = "no integrator holds the scene's tolerance";
     for (int i = 0; i < run.steps; ++i) simulation.step();
     compare(bench, simulation.state(), truth, cell);
   } catch (const SimulationDiverged& stopped) {

@@ -105,8 +105,8 @@ class Recorded : public ::testing::Test {
       stepTo(step);
       replayTo(step, replay, repeated);
       for (std::size_t i : {0U, 1U}) {
-        const BodyState& a = run.state().bodies[i];
-        const BodyState& b = repeated.state().bodies[i];
+        const BodyState& a = run.body(i);
+        const BodyState& b = repeated.body(i);
         EXPECT_EQ(a.x_W, b.x_W);
         EXPECT_EQ(a.q_WP.coeffs(), b.q_WP.coeffs());
         EXPECT_EQ(a.p_W, b.p_W);
@@ -178,8 +178,8 @@ TEST_F(Recorded, EveryInputChangesTheMotion) {
     InputReplay replay = replayOf(others);
     Simulation repeated = simulationOf(kScene);
     replayTo(60, replay, repeated);
-    const bool same = run.state().bodies[0].x_W == repeated.state().bodies[0].x_W &&
-                      run.state().bodies[1].x_W == repeated.state().bodies[1].x_W;
+    const bool same = run.body(0).x_W == repeated.body(0).x_W &&
+                      run.body(1).x_W == repeated.body(1).x_W;
     // input 7, the reset, wipes out what came before it
     const bool wiped = left_out < 7;
     EXPECT_EQ(same, wiped) << "input " << left_out;

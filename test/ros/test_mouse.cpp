@@ -44,7 +44,7 @@ class MouseTest : public ::testing::Test {
 
   Isometry3d pose() const {
     const BodyFrameMotion motion =
-        toBodyFrameMotion(simulation.world().bodies[0], simulation.state().bodies[0]);
+        toBodyFrameMotion(simulation.world().bodies[0], simulation.body(0));
     return Eigen::Translation3d(motion.x_W) * motion.q_WB;
   }
 
@@ -61,7 +61,7 @@ class MouseTest : public ::testing::Test {
   void expectPullTo(const Vector3d& goal_W) {
     const Body& body = simulation.world().bodies[0];
     const MouseSpring spring{0, body.X_BP.inverse() * point_B, goal_W};
-    const PointWrench expected = pullOf(spring, body, simulation.state().bodies[0], 0.01);
+    const PointWrench expected = pullOf(spring, body, simulation.body(0), 0.01);
     const PointWrench pull = pullNow();
     EXPECT_EQ(pull.point, expected.point);
     EXPECT_LT((pull.force - expected.force).norm(), 1e-12 * (1 + expected.force.norm()));
@@ -129,9 +129,9 @@ TEST_F(MouseTest, ReleaseEndsThePullAtOnce) {
   EXPECT_EQ(simulation.activeWrenches(0).size(), 1U);
   EXPECT_EQ(mouse.take(feedback(Feedback::MOUSE_UP)), "");
   EXPECT_EQ(simulation.wrenchCount(), 0U);
-  const Vector3d p_W = simulation.state().bodies[0].p_W;
+  const Vector3d p_W = simulation.body(0).p_W;
   step(10);
-  EXPECT_EQ(simulation.state().bodies[0].p_W, p_W);
+  EXPECT_EQ(simulation.body(0).p_W, p_W);
   // and what a viewer still sends moves nothing
   EXPECT_EQ(mouse.take(dragged(Vector3d(1, 0, 0))), "");
   step();
@@ -208,7 +208,7 @@ TEST_F(MouseTest, LetGoABodyWhosePullTheSimulationRefuses) {
   PointWrench later;
   later.start = 1e3;
   later.end = 2e3;
-  for (std::size_t i = 0; i < Simulation::kMostWrenches; ++i) simulation.applyWrench("", later);
+  for (std::size_t i = 0; i < Simulation::kMaxWrenches; ++i) simulation.applyWrench("", later);
   EXPECT_EQ(mouse.take(feedback(Feedback::MOUSE_DOWN)), "");
   EXPECT_EQ(mouse.pull(), "body 'box' is let go: at most 100000 wrenches may act or be to come");
   EXPECT_EQ(mouse.pull(), "");

@@ -30,7 +30,7 @@ struct PulledBody {
   }
 
   const Body& body() const { return simulation.world().bodies[0]; }
-  const BodyState& state() const { return simulation.state().bodies[0]; }
+  BodyState state() const { return simulation.body(0); }
 
   void step() {
     PointWrench pull = pullOf(spring, body(), state(), simulation.world().solver.time_step);

@@ -190,8 +190,8 @@ bodies: [{name: ball, shape: {sphere: {radius: 1}}, mass: 2}]
   EXPECT_EQ(run.wrenchCount(), 0U);
   // instants are differences of times below 2, in 200 steps
   const double tolerance = 200 * 2 * 3 * 1.1e-16;
-  EXPECT_NEAR(run.state().bodies[0].p_W.x(), test_case.impulse, tolerance);
-  EXPECT_NEAR(run.state().bodies[0].L_W.y(), test_case.impulse, tolerance);
+  EXPECT_NEAR(run.body(0).p_W.x(), test_case.impulse, tolerance);
+  EXPECT_NEAR(run.body(0).L_W.y(), test_case.impulse, tolerance);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -53,7 +53,7 @@ TEST(SceneSpring, ReachesFromABodyFrameToTheWorld) {
                 "stiffness: 40, damping: 0.1, rest_length: 1.0}"));
   ASSERT_EQ(built.world.laws.size(), 1u);
   EXPECT_EQ(built.world.laws[0]->members(), std::vector<std::size_t>{0});
-  EXPECT_TRUE(built.world.laws[0]->isDamped());
+  EXPECT_NE(built.world.laws[0]->needs() & kDamping, 0u);
   EXPECT_NEAR(built.energy(), 20, 1e-14);
   EXPECT_LE((built.wrenchOn(0).f_W - Vector3d(0, 0, 40)).norm(), 1e-14);
 }
@@ -62,7 +62,7 @@ TEST(SceneSpring, ReachesFromBodyToBody) {
   const Built built(
       sceneWith("{type: spring, from: {body: ball, point: [-1, 0, 0]}, to: {body: box}, "
                 "stiffness: 3}"));
-  EXPECT_FALSE(built.world.laws[0]->isDamped());
+  EXPECT_EQ(built.world.laws[0]->needs() & kDamping, 0u);
   EXPECT_NEAR(built.energy(), 0.5 * 3 * 2 * 2, 1e-14);
   EXPECT_LE((built.wrenchOn(1).f_W - Vector3d(-6, 0, 0)).norm(), 1e-14);
 }
@@ -144,12 +144,14 @@ TEST(SceneForces, AreOfAKnownType) {
 }
 
 TEST(SceneDrag, IsThatOfItsBody) {
-  const Drag drag =
-      Built(boxScene("    drag: {linear: 0.5, quadratic: 2, angular: 0.1}\n")).world.bodies[0].drag;
-  EXPECT_EQ(drag.linear, 0.5);
-  EXPECT_EQ(drag.quadratic, 2);
-  EXPECT_EQ(drag.angular, 0.1);
-  EXPECT_FALSE(Built(boxScene()).world.bodies[0].drag.any());
+  const Built built(boxScene("    drag: {linear: 0.5, quadratic: 2, angular: 0.1}\n"));
+  ASSERT_EQ(built.world.laws.size(), 1u);
+  const auto& drag = dynamic_cast<const Drag&>(*built.world.laws[0]);
+  EXPECT_EQ(drag.members(), std::vector<std::size_t>{0});
+  EXPECT_EQ(drag.coefficients().linear, 0.5);
+  EXPECT_EQ(drag.coefficients().quadratic, 2);
+  EXPECT_EQ(drag.coefficients().angular, 0.1);
+  EXPECT_TRUE(Built(boxScene()).world.laws.empty());
 }
 
 TEST(SceneDrag, KeepsItsRules) {
@@ -168,15 +170,15 @@ TEST(SceneIntegrator, TakesWhatActsInTheScene) {
   const std::string spring = kSpring + "stiffness: 1}";
   EXPECT_EQ(
       errorOf(sceneWith(spring, "taylor")),
-      "s.yaml:6: integrator must be auto or take laws or wrenches that couple bodies, as body "
+      "s.yaml:6: integrator must be auto or support laws or wrenches that couple bodies, as body "
       "'box' needs (semi_implicit_euler, strang, magnus4, rk4, blanes_moan6, kahan_li8, "
       "dop853), got 'taylor'");
   EXPECT_EQ(errorOf(sceneWith(spring, "strang")), "");
   EXPECT_EQ(errorOf(sceneWith(kSpring + "stiffness: 1, damping: 1}", "strang")),
-            "s.yaml:6: integrator must be auto or take damping, as body 'box' needs "
+            "s.yaml:6: integrator must be auto or support damping, as body 'box' needs "
             "(semi_implicit_euler, rk4, dop853), got 'strang'");
   EXPECT_EQ(errorOf("integrator: kahan_li8\n" + boxScene("    drag: {linear: 1}\n")),
-            "s.yaml:1: integrator must be auto or take drag, as body 'box' needs "
+            "s.yaml:1: integrator must be auto or support drag, as body 'box' needs "
             "(semi_implicit_euler, strang, magnus4, rk4, dop853), got 'kahan_li8'");
 }
 

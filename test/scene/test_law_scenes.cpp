@@ -29,7 +29,7 @@ Simulation runScene(const std::string& name,
 
 /// The z axis of the body frame of body 0.
 Vector3d axisOf(const Simulation& sim) {
-  const BodyFrameMotion m = toBodyFrameMotion(sim.world().bodies[0], sim.state().bodies[0]);
+  const BodyFrameMotion m = toBodyFrameMotion(sim.world().bodies[0], sim.body(0));
   return rotate(m.q_WB, Vector3d(Vector3d::UnitZ()));
 }
 
@@ -63,8 +63,7 @@ TEST(DoublePendulumScene, KeepsItsEnergyAndItsHinges) {
   double stretch = 0;
   const Simulation end = runScene("double_pendulum.yaml", [&](const Simulation& sim) {
     const auto tip = [&](std::size_t body, double z) {
-      const BodyFrameMotion m =
-          toBodyFrameMotion(sim.world().bodies[body], sim.state().bodies[body]);
+      const BodyFrameMotion m = toBodyFrameMotion(sim.world().bodies[body], sim.body(body));
       return Vector3d(m.x_W + rotate(m.q_WB, Vector3d(0, 0, z)));
     };
     stretch = std::max({stretch, tip(0, -0.25).norm(), (tip(0, 0.25) - tip(1, -0.25)).norm()});
@@ -80,7 +79,7 @@ TEST(SatelliteScene, LibratesAboutTheVertical) {
   double last = 0.3, greatest = 0;
   int crossings = 0;
   runScene("satellite.yaml", [&](const Simulation& sim) {
-    const BodyState& s = sim.state().bodies[0];
+    const BodyState& s = sim.body(0);
     const BodyFrameMotion m = toBodyFrameMotion(sim.world().bodies[0], s);
     const Vector3d up_B = rotateBack(m.q_WB, Vector3d(s.x_W.normalized()));
     const double angle = -std::atan2(up_B.y(), up_B.x());
@@ -94,8 +93,8 @@ TEST(SatelliteScene, LibratesAboutTheVertical) {
 
 TEST(FeatherAndStoneScene, SinksTheOneAndDropsTheOther) {
   const Simulation end = runScene("feather_and_stone.yaml");
-  const BodyState& feather = end.state().bodies[0];
-  const BodyState& stone = end.state().bodies[1];
+  const BodyState& feather = end.body(0);
+  const BodyState& stone = end.body(1);
   EXPECT_NEAR(feather.p_W.z() / 0.002, -1, 1e-6);
   // v = V tanh(g t/V), V = 57.985 m/s
   EXPECT_NEAR(stone.p_W.z() / 1.2, -57.98517 * std::tanh(9.80665 * 3 / 57.98517), 1e-5);

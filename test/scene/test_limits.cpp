@@ -47,7 +47,7 @@ TEST(SceneLimit, IsOneOfLaws) {
 }
 
 TEST(SceneLimit, IsOneOfWrenches) {
-  EXPECT_EQ(errorOf(boxScene(items("wrenches", Simulation::kMostWrenches + 1))),
+  EXPECT_EQ(errorOf(boxScene(items("wrenches", Simulation::kMaxWrenches + 1))),
             "s.yaml:6: wrenches must hold at most 100000 wrenches, got 100001");
 }
 

@@ -36,12 +36,11 @@ inline Bench satellite() {
 }
 
 /// A body thrown through a medium.
-inline Bench thrown(const Drag& drag) {
+inline Bench thrown(const Drag::Coefficients& drag) {
   Bench bench;
   bench.world.g_W = {0, 0, -9.81};
-  Body body = principalBody("feather", 1, {1, 2, 2.5});
-  body.drag = drag;
-  bench.add(body, tumbling({3, -1, 2}, {1, 1.5, 0.5}));
+  bench.add(principalBody("feather", 1, {1, 2, 2.5}), tumbling({3, -1, 2}, {1, 1.5, 0.5}));
+  bench.addDrag(0, drag);
   return bench;
 }
 

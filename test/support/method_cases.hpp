@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "dynamics/methods/catalogue.hpp"
+#include "dynamics/wrenches/held_wrench.hpp"
 #include "support/law_benches.hpp"
 #include "support/reference_bench.hpp"
 #include "support/worlds.hpp"
@@ -39,7 +41,7 @@ inline Bench interruptedPush() {
 
 inline Bench draggedSpring() {
   Bench bench = boxOnSpring();
-  bench.world.bodies[0].drag = {0.3, 0.1, 0.2};
+  bench.addDrag(0, {0.3, 0.1, 0.2});
   return bench;
 }
 
@@ -48,7 +50,7 @@ inline std::vector<Case> allCases() {
           {"world_wrench_at_body_point", pushedBox(kWorld, 0, 0.1)},
           {"world_wrench_at_world_point", pushedBox(kWorld, kWorld, 0.1)},
           {"body_wrench_at_body_point", pushedBox(0, 0, 0.1)},
-          {"body_wrench_at_world_point", pushedBox(0, kWorld, 0.1)},
+          {"body_wrench_at_world_point", pushedBox(0, kWorld, 0.05)},
           {"wrench_of_another_body", coupledBodies()},
           {"start_and_end_inside_steps", interruptedPush()},
           {"spring_to_the_world", boxOnSpring()},
@@ -63,14 +65,12 @@ inline std::vector<Case> allCases() {
           {"drag_on_a_spring", draggedSpring()}};
 }
 
-/// What a row has to accept for the case.
+/// What an integrator has to support for the case.
 inline unsigned needsOf(const Case& c) {
-  const World& world = c.bench.world;
-  std::vector<WrenchSchedule> schedules(world.bodies.size());
-  for (const PointWrench& wrench : world.wrenches) schedules[wrench.body].put("", wrench, 0);
   unsigned needs = 0;
-  for (const CoupledBodies& group : rigid_body_sim::coupledBodies(world, schedules))
-    needs |= rigid_body_sim::needsOf(world, group, schedules);
+  for (const auto& law : c.bench.world.laws) needs |= law->needs();
+  for (const PointWrench& wrench : c.bench.world.wrenches)
+    if (!HeldWrench::holds(wrench)) needs |= kCoupling;
   return needs;
 }
 
@@ -78,7 +78,7 @@ inline unsigned needsOf(const Case& c) {
 inline std::vector<Case> casesFor(const Method& method) {
   std::vector<Case> accepted;
   for (const Case& c : allCases())
-    if (method.takes(needsOf(c))) accepted.push_back(c);
+    if (method.supports(needsOf(c))) accepted.push_back(c);
   return accepted;
 }
 

@@ -55,7 +55,6 @@ inline reference::Motions referenceRun(const Bench& bench, double duration) {
         loads[applied.body].tau_W += load.tau_W;
       }
       for (const reference::Law& law : bench.reference_laws) law(bench.world.bodies, m, loads);
-      reference::addDrag(bench.world.bodies, m, loads);
       return loads;
     };
     motions = reference::advance(bench.world.bodies, wrenches, motions, t,

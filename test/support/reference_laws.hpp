@@ -62,12 +62,11 @@ inline Law centralGravity(std::size_t body, const Vector3d& center, double mu, b
 }
 
 /// f = −(linear + quadratic |v|) v,  τ = −angular ω
-inline void addDrag(const std::vector<Body>& bodies, const Motions& m, Loads& loads) {
-  for (std::size_t i = 0; i < m.size(); ++i) {
-    const Drag& drag = bodies[i].drag;
-    loads[i].f_W -= (Real(drag.linear) + Real(drag.quadratic) * m[i].v.norm()) * m[i].v;
-    loads[i].tau_P -= Real(drag.angular) * m[i].w;
-  }
+inline Law drag(std::size_t body, const Drag::Coefficients& drag) {
+  return [=](const std::vector<Body>&, const Motions& m, Loads& loads) {
+    loads[body].f_W -= (Real(drag.linear) + Real(drag.quadratic) * m[body].v.norm()) * m[body].v;
+    loads[body].tau_P -= Real(drag.angular) * m[body].w;
+  };
 }
 
 }  // namespace rigid_body_sim::reference

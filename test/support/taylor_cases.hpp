@@ -35,9 +35,9 @@ inline BodyState turningAt(const Body& body, const Vector3d& w_P) {
 }
 
 inline HeldWrench held(const std::vector<PointWrench>& applied) {
-  HeldWrench wrench;
-  for (const PointWrench& a : applied) wrench.add(a);
-  return wrench;
+  HeldWrenchSum sum;
+  for (const PointWrench& a : applied) sum.add(a);
+  return sum.sum();
 }
 
 /// Five kinds of wrench: a couple and a force at a point of the body, both with world axes; the

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/methods/catalogue.hpp"
 #include "tools/trade/trade_ladder.hpp"
 
 /// What the tests of trade measure with it.

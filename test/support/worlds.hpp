@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
+#include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/dynamics/spring.hpp>
 
@@ -40,6 +41,11 @@ struct Bench {
   void addCentralGravity(std::size_t body, const Vector3d& center, double mu, bool gradient) {
     world.laws.push_back(std::make_shared<CentralGravity>(body, center, mu, gradient));
     reference_laws.push_back(reference::centralGravity(body, center, mu, gradient));
+  }
+
+  void addDrag(std::size_t body, const Drag::Coefficients& coefficients) {
+    world.laws.push_back(std::make_shared<Drag>(body, coefficients));
+    reference_laws.push_back(reference::drag(body, coefficients));
   }
 
   Simulation simulation(const std::string& integrator, double time_step) const {

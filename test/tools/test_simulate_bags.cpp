@@ -111,8 +111,7 @@ TEST_F(SimulateBags, OdometryInTheBagIsTheStateOfTheCore) {
        rosbag::View(bag, rosbag::TopicQuery("/box/odom"))) {
     const auto odometry = message.instantiate<nav_msgs::Odometry>();
     while (TimeOrigin().stamp(run.time()) < odometry->header.stamp) run.step();
-    EXPECT_EQ(*odometry,
-              toOdometry(world.bodies[0], run.state().bodies[0], "world", odometry->header.stamp));
+    EXPECT_EQ(*odometry, toOdometry(world.bodies[0], run.body(0), "world", odometry->header.stamp));
     ++compared;
   }
   EXPECT_EQ(compared, 141);  // at 100 Hz, both ends

@@ -91,7 +91,7 @@ TEST(Simulate, WritesTheVeryNumbersOfTheCore) {
   const World world = buildWorld(scene);
   Simulation simulation(world, initialState(scene, world));
   while (simulation.steps() < 100) simulation.step();
-  const BodyFrameMotion m = toBodyFrameMotion(world.bodies[0], simulation.state().bodies[0]);
+  const BodyFrameMotion m = toBodyFrameMotion(world.bodies[0], simulation.body(0));
 
   const std::vector<std::string> rows = lines(run.out);
   ASSERT_EQ(rows.size(), 102U);
@@ -122,7 +122,7 @@ TEST(Simulate, RefusesAnIntegratorThatDoesNotTakeTheScene) {
   const Outcome run = simulate(scenePath("spring_pair.yaml") + " --integrator taylor 2>&1");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(lines(run.out).size(), 1U);
-  EXPECT_NE(run.out.find("spring_pair.yaml: integrator must be auto or take"), std::string::npos)
+  EXPECT_NE(run.out.find("spring_pair.yaml: integrator must be auto or support"), std::string::npos)
       << run.out;
 }
 

@@ -7,16 +7,6 @@
 
 namespace rigid_body_sim {
 
-/// Resistance of the medium; zero where there is none.
-///   f = −(linear + quadratic |v|) v,   τ = −angular ω
-struct Drag {
-  double linear = 0;     ///< [N s/m] >= 0
-  double quadratic = 0;  ///< [N s²/m²] >= 0
-  double angular = 0;    ///< [N m s] >= 0
-
-  bool any() const { return linear != 0 || quadratic != 0 || angular != 0; }
-};
-
 /// What never changes about a rigid body, in the principal frame P: origin at the centre of mass,
 /// axes the principal axes.
 struct Body {
@@ -27,11 +17,11 @@ struct Body {
   Isometry3d X_BP;                ///< P in the body frame B that the user knows
   Quaterniond q_BP;               ///< the rotation of X_BP
   RotationSplit<double> split{};  ///< of its free rotation
-  Drag drag;
-  bool fixed = false;  ///< never moves; its mass is then of no account
+  bool fixed = false;             ///< never moves; its mass is then ignored
 };
 
-/// The body of the given mass properties, which must be free of faults (massPropertiesFault).
+/// The body of the given mass properties. Throws std::invalid_argument for those that have a fault
+/// (massPropertiesFault).
 Body makeBody(std::string name, const MassProperties& properties_B);
 
 }  // namespace rigid_body_sim

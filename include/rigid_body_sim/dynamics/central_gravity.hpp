@@ -19,15 +19,18 @@ class CentralGravity final : public ForceLaw {
 
   const char* name() const override { return "central gravity"; }
   std::vector<std::size_t> members() const override { return {body_}; }
-  std::shared_ptr<const ForceLaw> renamed(
+  std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>& index) const override;
+  unsigned needs() const override { return kCoupling; }
   void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
   double potentialEnergy(const Bodies& at) const override;
   double externalPower(const Bodies& at) const override;
-  bool isDamped() const override { return false; }
 
   /// √(mu/r³), that of a circular orbit; with the gradient √3 times that, at which a rod swings.
-  double rate(const Bodies& at) const override;
+  double rate(const Bodies& at, const std::vector<double>& speeds) const override;
+
+  /// The distance from the centre.
+  double reach(const Bodies& at) const override { return radius(at.states[body_]).norm(); }
 
  private:
   Vector3d radius(const BodyState& state) const;

@@ -10,13 +10,13 @@ namespace rigid_body_sim {
 /// What is modelled of each body and how it is solved, a line a body:
 ///   wing_nut: free, asymmetric, exact
 ///   crate: gravity, wrenches, Taylor
-///   upper: spring, drag, dop853, h <= 0.5 ms (2 parts a step)
+///   upper: spring, drag, dop853, h <= 0.5 ms (2 substeps a step)
 ///   table: fixed
-/// Of the wrenches, those that the world schedules. Further lines say where auto found no method to
-/// hold the tolerance.
+/// Of the wrenches, those that the world schedules. Further lines say where auto found no
+/// integrator to hold the tolerance.
 std::vector<std::string> describeSolution(const Simulation& simulation);
 
-/// Says that steps were taken in more parts than asked for, and in how many; empty if none was.
-std::string describeParts(const Simulation& simulation);
+/// Says that steps were divided further than asked for, and how far; empty if none was.
+std::string describeSubsteps(const Simulation& simulation);
 
 }  // namespace rigid_body_sim

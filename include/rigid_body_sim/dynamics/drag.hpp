@@ -1,27 +1,56 @@
 #pragma once
 
-#include <rigid_body_sim/dynamics/state.hpp>
-#include <rigid_body_sim/dynamics/wrench.hpp>
+#include <rigid_body_sim/dynamics/force_law.hpp>
 
 namespace rigid_body_sim {
 
-/// Adds the drag on a body, with v the velocity of its centre of mass:
-///   f = −(linear + quadratic |v|) v,   τ = −angular ω.
-void addDrag(const Body& body, const BodyState& state, Wrench& wrench);
+/// Resistance of a medium at rest on one body, with v the velocity of its centre of mass:
+///   f = −(linear + quadratic |v|) v,   τ = −angular ω
+class Drag final : public ForceLaw {
+ public:
+  struct Coefficients {
+    double linear = 0;     ///< [N s/m] >= 0
+    double quadratic = 0;  ///< [N s²/m²] >= 0
+    double angular = 0;    ///< [N m s] >= 0
 
-/// [W] what drag dissipates, >= 0:  (linear + quadratic |v|) v² + angular ω².
-double dragPower(const Body& body, const BodyState& state);
+    bool any() const { return linear != 0 || quadratic != 0 || angular != 0; }
+  };
 
-/// [1/s] The greatest rate at which drag slows down a body of that speed [m/s].
-double dragRate(const Body& body, double speed);
+  Drag(std::size_t body, const Coefficients& coefficients)
+      : body_(body), coefficients_(coefficients) {}
 
-/// The flow over h of drag together with a wrench, at fixed place and attitude:
-///   p' = f − (linear + quadratic |p|/m) p/m,   L_P,i' = τ_P,i − angular L_P,i/I_i.
-/// The angular part is exact, and so is the linear; quadratic drag acts as linear drag of the mean
-/// speed of start and end, which is symmetric, of second order, and exact at the terminal velocity.
-/// However stiff the drag, the motion stays finite and ends where it must; over a step that
-/// quadratic drag outruns, it is slowed down too soon. h may be negative where there is no
-/// quadratic drag.
-void dragKick(const Body& body, const Wrench& wrench, double h, BodyState& state);
+  const char* name() const override { return "drag"; }
+  std::vector<std::size_t> members() const override { return {body_}; }
+  std::shared_ptr<const ForceLaw> reindexed(
+      const std::function<std::size_t(std::size_t)>& index) const override;
+  unsigned needs() const override { return kDrag; }
+  void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
+  double potentialEnergy(const Bodies& /*at*/) const override { return 0; }
+
+  /// −((linear + quadratic |v|) v² + angular ω²)
+  double externalPower(const Bodies& at) const override;
+
+  void addStiffness(const std::vector<const Body*>& bodies,
+                    std::vector<Stiffness>& stiffness) const override;
+
+  /// (linear + 2 quadratic |v|)/m at the given speed, where drag is quadratic.
+  double rate(const Bodies& at, const std::vector<double>& speeds) const override;
+
+  bool rateGrowsWithSpeed() const override { return coefficients_.quadratic != 0; }
+
+  bool hasFlow() const override { return true; }
+
+  /// p' = f − (linear + quadratic |p|/m) p/m,   L_P,i' = τ_P,i − angular L_P,i/I_i.
+  /// The angular part is exact, and so is the linear; quadratic drag acts as linear drag of the
+  /// mean speed of start and end, which is symmetric, of second order, and exact at the terminal
+  /// velocity. h may be negative where there is no quadratic drag.
+  void kick(const Body& body, const Wrench& wrench, double h, BodyState& state) const override;
+
+  const Coefficients& coefficients() const { return coefficients_; }
+
+ private:
+  std::size_t body_;
+  Coefficients coefficients_;
+};
 
 }  // namespace rigid_body_sim

@@ -14,8 +14,16 @@ struct Stiffness {
   double decay = 0;              ///< [1/s] bound on the rate of its damping
 };
 
-/// A law of force between bodies, points and the world. It never changes and keeps no state: it
-/// adds the wrenches that follow from where the bodies are and how they move.
+/// What an integrator must support to advance bodies under a law or a wrench; needs add up by |.
+enum Need : unsigned {
+  kCoupling = 1,  ///< wrenches that depend on place and attitude of any of the bodies
+  kDrag = 2,      ///< drag, which has a flow of its own (ForceLaw::kick)
+  kDamping = 4,   ///< other wrenches that depend on velocities
+  kLawStates = 8  ///< states of a law that change with time (ForceLaw::setRates)
+};
+
+/// A law of force between bodies, points and the world. It never changes: it adds the wrenches that
+/// follow from where the bodies are, how they move, and its own states, which belong to State.
 ///
 /// Over every motion, with F the law's wrenches and V its potential energy,
 ///   Σ f · v + τ · ω = −dV/dt + externalPower.
@@ -25,6 +33,7 @@ class ForceLaw {
   struct Bodies {
     const std::vector<const Body*>& bodies;
     const std::vector<BodyState>& states;
+    const double* own = nullptr;  ///< the law's own states, stateCount() of them
   };
 
   virtual ~ForceLaw() = default;
@@ -35,9 +44,12 @@ class ForceLaw {
   /// Indices of the bodies it acts on: at least one, none of them fixed.
   virtual std::vector<std::size_t> members() const = 0;
 
-  /// The same law where the body of index i has index renamed(i).
-  virtual std::shared_ptr<const ForceLaw> renamed(
+  /// The same law where the body of index i has index index(i).
+  virtual std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>& index) const = 0;
+
+  /// What an integrator must support (Need).
+  virtual unsigned needs() const = 0;
 
   /// Adds the wrench on each body.
   virtual void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const = 0;
@@ -48,28 +60,59 @@ class ForceLaw {
   /// [W] Power that does not come out of the potential: negative where the law dissipates.
   virtual double externalPower(const Bodies& at) const = 0;
 
-  /// Whether the wrenches depend on velocities.
-  virtual bool isDamped() const = 0;
-
   /// Adds what the law brings about at any state, body by body, so that steps can be kept short
   /// enough.
   virtual void addStiffness(const std::vector<const Body*>& /*bodies*/,
                             std::vector<Stiffness>& /*stiffness*/) const {}
 
-  /// [1/s] How fast, beside that, what it brings about at a state changes.
-  virtual double rate(const Bodies& /*at*/) const { return 0; }
+  /// [1/s] How fast, beside that, what it brings about changes, at states that are at most as fast
+  /// as given [m/s], body by body.
+  virtual double rate(const Bodies& /*at*/, const std::vector<double>& /*speeds*/) const {
+    return 0;
+  }
+
+  /// Whether rate() depends on the speeds.
+  virtual bool rateGrowsWithSpeed() const { return false; }
+
+  /// [m] The greatest length that the law subtracts positions over: what rounding it is exposed to.
+  virtual double reach(const Bodies& /*at*/) const { return 0; }
+
+  /// Whether kick() is there.
+  virtual bool hasFlow() const { return false; }
+
+  /// The flow over h [s] of the law together with a wrench on its only body, at fixed place and
+  /// attitude: what integrators made of impulses use in place of h × the law's wrench, so that they
+  /// follow it however stiff. At most one law with a flow acts on a body.
+  virtual void kick(const Body& /*body*/, const Wrench& /*wrench*/, double /*h*/,
+                    BodyState& /*state*/) const {}
+
+  /// Scalars that the law carries from step to step: those that change with time and those that
+  /// tell in which of its modes it is.
+  virtual std::size_t stateCount() const { return 0; }
+
+  /// Their values at the start, and their rates of change; zero where they are not given.
+  virtual void setStart(double* own) const;
+  virtual void setRates(const Bodies& at, double* rates) const;
+
+  /// Events: a step ends at the instant at which one of the guards, positive before, falls below
+  /// zero; it is located to rounding of the motion. Then switchMode changes the law's own states so
+  /// that no guard is below zero in the mode that begins.
+  virtual std::size_t guardCount() const { return 0; }
+  virtual void setGuards(const Bodies& /*at*/, double* /*guards*/) const {}
+  virtual void switchMode(std::size_t /*guard*/, const Bodies& /*at*/, double* /*own*/) const {}
+
+  /// Whether it acts in the mode that its own states tell. A law that does not act adds no wrench,
+  /// links no bodies and costs their motion nothing, which may be solved meanwhile; its guards are
+  /// looked at on their motion, and not before quietUntil.
+  virtual bool acts(const double* /*own*/) const { return true; }
+
+  /// [s] Up to when a law that does not act at time t cannot begin to, whatever acts on its bodies.
+  virtual double quietUntil(double t, const Bodies& /*at*/) const { return t; }
 
  protected:
   ForceLaw() = default;
   ForceLaw(const ForceLaw&) = default;
   ForceLaw& operator=(const ForceLaw&) = default;
-};
-
-/// What a method must accept to advance bodies; needs add up by |.
-enum Need : unsigned {
-  kCoupling = 1,  ///< wrenches that depend on place and attitude of any of the bodies
-  kDrag = 2,      ///< drag, which has a flow of its own (dragKick)
-  kDamping = 4    ///< other wrenches that depend on velocities
 };
 
 using ForceLaws = std::vector<std::shared_ptr<const ForceLaw>>;

@@ -1,18 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
-#include <map>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/input.hpp>
-
-#include "dynamics/run/balance.hpp"
-#include "dynamics/run/group.hpp"
+#include <rigid_body_sim/dynamics/totals.hpp>
 
 namespace rigid_body_sim {
 
@@ -33,83 +28,89 @@ struct ErrorEstimate {
 
 /// Advances a world by its fixed time step. Time is step count × step, never accumulated.
 /// Wrenches start and end at their exact instants, whatever the step. Bodies that do not act on one
-/// another are advanced apart. A copy goes on by itself.
+/// another are advanced separately. Copies are independent: two threads may run two of them, and
+/// read one.
 class Simulation {
  public:
   /// Wrenches that may act or be to come, of all bodies together.
-  static constexpr std::size_t kMostWrenches = 100000;
+  static constexpr std::size_t kMaxWrenches = 100000;
 
-  /// Throws std::invalid_argument for an integrator that is unknown or refuses a wrench of the
-  /// world.
-  Simulation(World world, State initial);
+  /// From a state of the world on: of the start, or as state() gave it, of any step; then the same
+  /// bits follow as in the run that it is from, as long as no input came but the world's own
+  /// wrenches. Throws std::invalid_argument for a world or a state that break a rule: an integrator
+  /// that is unknown or does not support what acts, a time step that is not > 0, sizes and indices
+  /// that do not match, attitudes that are not unit, numbers that are not finite, a time that is no
+  /// multiple of the step.
+  Simulation(World world, State start);
+  Simulation(const Simulation& other);
+  Simulation(Simulation&& other) noexcept;
+  Simulation& operator=(const Simulation& other);
+  Simulation& operator=(Simulation&& other) noexcept;
+  ~Simulation();
 
-  const World& world() const { return *world_; }
+  const World& world() const;
+  double time() const;
+  std::int64_t steps() const;
 
-  /// The present. A motion that is solved is evaluated here, where somebody asks, and not at every
-  /// step: for two threads at once that is not, though const.
-  const State& state() const;
-
-  double time() const { return state_.t; }
-  std::int64_t steps() const { return steps_; }
-
-  /// One time step. Throws SimulationDiverged; then nothing has happened, to any body.
-  void step();
+  /// The state now, of one body or of all: a solved motion is evaluated here, and not at every
+  /// step.
+  BodyState body(std::size_t body) const;
+  State state() const;
 
   /// The state at a time between now and the next step; the run goes on as if never asked. Throws
   /// SimulationDiverged.
   State sample(double t) const;
 
+  /// One time step. Throws SimulationDiverged; then nothing has happened, to any body.
+  void step();
+
   /// Takes an input over, now. Throws std::invalid_argument, and leaves all as it was, for one that
   /// breaks a rule: an unknown or fixed body, numbers that are not finite, a wrench that the
-  /// integrator does not accept or one more than may be.
+  /// integrator does not support or one more than may be.
   void apply(const SimulationInput& input);
 
-  /// Applies a wrench to a body that is not fixed; see WrenchSchedule::put for slots. Throws
-  /// std::invalid_argument, and leaves all as it was, for one that the integrator does not accept,
-  /// and for one more than may be.
+  /// The same by their parts; see WrenchInput, ClearInput, StateInput, ResetInput. Bodies on which
+  /// nothing changes keep their bits.
   void applyWrench(const std::string& slot, const PointWrench& wrench);
+  void clearWrenches(std::size_t body = ClearInput::kEveryBody, const std::string& slot = "");
+  void setState(std::size_t body, const BodyState& state);
+  void reset(bool restart_time);
 
   /// Whether the wrench would take the place of another, at once, so that there is not one more.
   bool replaces(const std::string& slot, const PointWrench& wrench) const;
 
-  /// Ends, now, every wrench, those of a slot of every body, those of a body, or of one slot of it.
-  /// Bodies on which nothing ends keep their bits.
-  void clearWrenches();
-  void clearWrenches(const std::string& slot);
-  void clearWrenches(std::size_t body);
-  void clearWrenches(std::size_t body, const std::string& slot);
-
-  /// Number of wrenches that act now or are to come.
+  /// Number of wrenches that act now or are to come, of all bodies or of one.
   std::size_t wrenchCount() const;
-  std::size_t wrenchCount(std::size_t body) const { return schedules_[body].size(); }
+  std::size_t wrenchCount(std::size_t body) const;
 
   /// The wrenches that act on a body now.
-  const std::vector<PointWrench>& activeWrenches(std::size_t body) const {
-    return schedules_[body].active();
-  }
+  const std::vector<PointWrench>& activeWrenches(std::size_t body) const;
 
-  /// Sum of the wrenches applied to a body now, without gravity.
+  /// Sum of the wrenches applied to a body now, without gravity and laws.
   Wrench appliedWrench(std::size_t body) const;
 
-  /// The most parts that a step was taken in so far, because something turned, swung or decayed
-  /// faster than its method follows in one; 1 when none was.
-  int mostParts() const;
+  /// How the bodies are advanced, group by group.
+  std::vector<MotionPlan> plans() const;
 
-  /// Evaluations of all wrenches by methods so far.
+  /// Largest number of substeps that a step was divided into so far, because something turned,
+  /// swung or decayed faster than its method follows in one; 1 when none was.
+  int maxSubsteps() const;
+
+  /// Evaluations of all wrenches by integrators so far.
   std::int64_t evaluations() const;
 
-  /// From now on a second simulation runs along at twice the step, for half the cost: by how much
-  /// the two differ tells the error (Richardson). Bodies whose motion is solved
-  /// to rounding do not count; where all are, nothing runs along.
+  /// From now on a second simulation runs along at twice the step, for half the cost: the
+  /// difference of the two shows the error (Richardson). Bodies whose motion is solved to rounding
+  /// do not count; where all are, nothing runs along.
   void trackError();
 
   /// The greatest error so far since trackError, estimated at every other step: the difference of
   /// the two runs over 2^order − 1. Infinite once the second run has diverged.
-  const ErrorEstimate& errorEstimate() const { return error_; }
+  ErrorEstimate errorEstimate() const;
 
-  /// From now on every step is metered (ExchangeMeter), at the price of half the order and one more
-  /// steps of a stepped motion, of a few evaluations of a solved one; the run keeps its bits. The
-  /// balance starts anew with a body's state set from outside and with a reset.
+  /// From now on every step is metered: costs order/2 + 1 extra steps per integrated step, a few
+  /// evaluations of a solved motion; the run keeps its bits. The balance starts anew with a body's
+  /// state set from outside and with a reset.
   void trackBalance();
 
   /// E − E₀ − work, p − p₀ − ∫f and L − L₀ − ∫τ since the balance was started; not numbers unless
@@ -122,73 +123,9 @@ class Simulation {
   /// Neither errors nor the balance are tracked from now on.
   void stopTracking();
 
-  /// How the bodies are advanced: those that act on one another together, each group in its way.
-  const std::vector<Group>& groups() const { return groups_; }
-
-  /// Sets the state of a body that is not fixed. Starts the balance anew.
-  void setState(std::size_t body, const BodyState& state);
-
-  /// Back to the initial states, every wrench cleared, the balance started anew. Time runs on; or
-  /// it starts again at zero, and with it the schedule of the scene.
-  void reset(bool restart_time);
-
  private:
-  // Bound on the work of each of auto's trial runs, in steps of one body: tenths of a second.
-  static constexpr double kMostTrialSteps = 3e5;
-  static constexpr double kFullTrials = 10;  // groups that may take so much; more of them share it
-  static constexpr double kNotForeseen = -std::numeric_limits<double>::infinity();
-
-  template <class... Meter>
-  void stepBy(bool foreseen_too, Meter&... meter);
-  template <class... Meter>
-  void advance(Group& group, double t_end, std::vector<WrenchSchedule>& schedules,
-               Meter&... meter) const;
-  void begin(std::size_t group, double t_end);
-  void takeBack();
-  void accept(double t_end);
-  void catchUp(std::size_t group) const;
-  void trackedStep();
-  void formGroups();
-  void formGroupsAnew();
-  void addToFormer(const Group& group);
-  void restartGroup(std::size_t body);
-  PointWrench onSteps(PointWrench wrench) const;
-  void put(const std::string& slot, const PointWrench& wrench);
-  template <class Clear>
-  void clearBodies(std::size_t begin, std::size_t end, const Clear& clear);
-  void disturb(std::size_t body);
-  void markDisturbed(const Group& group);
-  MethodChoice chosen(const CoupledBodies& bodies, unsigned needs, double most_trial_steps);
-  bool solvedToRounding(const Group& group) const;
-  void startCoarse();
-  Simulation& ownCoarse();
-  void followCoarse();
-  void startBalance();
-
-  std::shared_ptr<const World> world_;
-  std::shared_ptr<const State> initial_;
-  const Method* method_;       // null: auto
-  mutable State state_;        // its bodies may be behind its time
-  mutable bool lags_ = false;  // whether some are
-  std::int64_t steps_ = 0;
-  std::vector<WrenchSchedule> schedules_;  // one per body
-  std::vector<Group> groups_;
-  std::vector<double> foreseen_until_;  // Group's, index by index; or kNotForeseen
-  std::vector<std::size_t> advanced_;   // groups that a step advances; used inside it
-  std::vector<std::size_t> scheduled_;  // bodies with an event within a step; used inside it
-  int most_parts_ = 1;                  // of groups that are no more
-  std::int64_t evaluations_ = 0;        // likewise
-  std::size_t at_most_ = 0;             // not less than wrenchCount()
-  std::vector<std::size_t> group_of_;   // body -> index in groups_; of no account for a fixed body
-  std::map<std::vector<std::size_t>, MethodChoice> choices_;  // of auto's trials, by members
-  std::vector<bool> disturbed_;  // bodies that do not move as they did in a trial
-  double most_turn_share_ = 1;   // MethodChoice's
-  bool tracked_ = false;         // error or balance
-  bool tracks_error_ = false;
-  // at twice the step; null until a step of even count; changed only while no copy shares it
-  std::shared_ptr<Simulation> coarse_;
-  ErrorEstimate error_;
-  std::optional<Balance> balance_;  // where it is tracked
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace rigid_body_sim

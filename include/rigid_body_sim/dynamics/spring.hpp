@@ -28,14 +28,19 @@ class Spring final : public ForceLaw {
 
   const char* name() const override { return "spring"; }
   std::vector<std::size_t> members() const override;
-  std::shared_ptr<const ForceLaw> renamed(
+  std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>& index) const override;
+  unsigned needs() const override {
+    return constants_.damping > 0 ? kCoupling | kDamping : kCoupling;
+  }
   void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
   double potentialEnergy(const Bodies& at) const override;
   double externalPower(const Bodies& at) const override;
-  bool isDamped() const override { return constants_.damping > 0; }
   void addStiffness(const std::vector<const Body*>& bodies,
                     std::vector<Stiffness>& stiffness) const override;
+
+  /// Its length, and that of the arms of its ends.
+  double reach(const Bodies& at) const override;
 
  private:
   struct Stretch {

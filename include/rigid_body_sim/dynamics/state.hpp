@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/body.hpp>
@@ -24,10 +28,39 @@ struct BodyStateT {
 };
 using BodyState = BodyStateT<double>;
 
-/// What changes about the world, body by body in the order of World::bodies.
+/// Where the present piece of a body's solved motion starts: it is evaluated from there at any
+/// time.
+struct MotionAnchor {
+  double t = 0;     ///< [s]
+  BodyState state;  ///< at t
+};
+
+/// How bodies that act on one another are advanced together.
+struct MotionPlan {
+  std::vector<std::size_t> bodies;  ///< indices, ascending
+  std::string integrator;           ///< a name of the catalogue; empty: the motion is solved
+  int substeps = 1;                 ///< equal parts in which each time step is taken, at least
+  bool by_estimates = false;  ///< the integrator's own error estimates divide its steps further
+  bool holds = true;          ///< with auto: whether an integrator was found to hold the tolerance
+  double error = 0;           ///< with auto: what the trial found, as a share of the tolerance
+  /// [s] With auto: up to when the motion was tried; then the error estimates take over. Infinite
+  /// where it was not.
+  double tried_until = std::numeric_limits<double>::infinity();
+  bool cut_short = false;        ///< whether the trial ended before the world's horizon
+  std::int64_t evaluations = 0;  ///< of all its wrenches, so far
+};
+
+/// What changes about the world, and what it takes to go on from there.
 struct State {
-  double t = 0;  ///< [s] since the start of the simulation
-  std::vector<BodyState> bodies;
+  double t = 0;                   ///< [s] since the start of the simulation
+  std::vector<BodyState> bodies;  ///< in the order of World::bodies
+  /// Of the laws that have states of their own, law by law in the order of World::laws; empty: as
+  /// they start.
+  std::vector<double> laws{};
+  /// What the same bits need beside: the anchors, one a body, and the plans. Empty in a state that
+  /// a program makes: then motions are anchored at it, and auto chooses anew.
+  std::vector<MotionAnchor> anchors{};
+  std::vector<MotionPlan> plans{};
 };
 
 /// Pose and velocity of a body frame, as its user gives and reads them.
@@ -51,9 +84,11 @@ BodyState toBodyState(const Body& body, const BodyFrameMotion& motion);
 /// The inverse of toBodyState; velocities v_B = v − ω × R com.
 BodyFrameMotion toBodyFrameMotion(const Body& body, const BodyState& state);
 
-/// [m] What rounding may do to the place of a body: where its centre of mass rests but for
-/// rounding, a gap like that is no share of its path.
-double positionRounding(const Body& body, const BodyState& state);
+/// [m] From one state of a body to another, the low parts of the positions included.
+double distanceBetween(const BodyState& a, const BodyState& b);
+
+/// [m] √(I_max/m), a length of the order of the body's size.
+double radiusOfGyration(const Body& body);
 
 /// ½ p²/m + ½ Σ Lᵢ²/Iᵢ  [J]
 double kineticEnergy(const Body& body, const BodyState& state);

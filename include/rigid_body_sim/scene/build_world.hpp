@@ -8,7 +8,7 @@ namespace rigid_body_sim {
 
 /// What stays constant of a scene. Throws SceneError for one that cannot be simulated
 /// (checkScene), for a wrench or a spring that names an unknown body or frame or acts on fixed
-/// bodies only, and for an integrator that is unknown or does not take what acts in the scene.
+/// bodies only, and for an integrator that is unknown or does not support what acts in the scene.
 World buildWorld(const Scene& scene);
 
 /// The state at time zero; world: that of the scene.

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include <rigid_body_sim/dynamics/body.hpp>
+#include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/mass/particles.hpp>
 #include <rigid_body_sim/mass/shapes.hpp>
 #include <rigid_body_sim/scene/visual.hpp>
@@ -83,7 +83,7 @@ struct BodyDef {
   Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the world
   Quaterniond orientation = Quaterniond::Identity();  ///< q_WB, unit
   TwistDef twist;
-  Drag drag;
+  Drag::Coefficients drag;
   std::vector<PointDef> points;
   bool fixed = false;  ///< it never moves
   VisualDef visual;

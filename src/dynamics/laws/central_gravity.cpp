@@ -4,7 +4,7 @@
 
 namespace rigid_body_sim {
 
-std::shared_ptr<const ForceLaw> CentralGravity::renamed(
+std::shared_ptr<const ForceLaw> CentralGravity::reindexed(
     const std::function<std::size_t(std::size_t)>& index) const {
   return std::make_shared<CentralGravity>(index(body_), center_W_, mu_, gradient_);
 }
@@ -33,7 +33,7 @@ double CentralGravity::potentialEnergy(const Bodies& at) const {
   return -mu_ * at.bodies[body_]->mass / radius(at.states[body_]).norm();
 }
 
-double CentralGravity::rate(const Bodies& at) const {
+double CentralGravity::rate(const Bodies& at, const std::vector<double>& /*speeds*/) const {
   const double r = radius(at.states[body_]).norm();
   return std::sqrt((gradient_ ? 3 : 1) * mu_ / r) / r;
 }

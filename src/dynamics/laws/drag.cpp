@@ -17,16 +17,17 @@ Vector3d relaxed(const Vector3d& y, const Vector3d& f, double rate, double h) {
 
 /// Momentum after h of p' = f − (linear + quadratic v̄) p/m with v̄ the mean of the speeds before and
 /// after: the root of excess(v̄), bracketed, by regula falsi (Illinois).
-Vector3d relaxedQuadratic(const Body& body, const Vector3d& p, const Vector3d& f, double h) {
-  const double speed = p.norm() / body.mass;
+Vector3d relaxedQuadratic(const Drag::Coefficients& drag, double mass, const Vector3d& p,
+                          const Vector3d& f, double h) {
+  const double speed = p.norm() / mass;
   const auto after = [&](double mean_speed) {
-    return relaxed(p, f, (body.drag.linear + body.drag.quadratic * mean_speed) / body.mass, h);
+    return relaxed(p, f, (drag.linear + drag.quadratic * mean_speed) / mass, h);
   };
   const auto excess = [&](double mean_speed) {
-    return 0.5 * (speed + after(mean_speed).norm() / body.mass) - mean_speed;
+    return 0.5 * (speed + after(mean_speed).norm() / mass) - mean_speed;
   };
   // no drag leaves more than the momentum and the impulse together
-  double low = 0.5 * speed, high = speed + 0.5 * h * f.norm() / body.mass;
+  double low = 0.5 * speed, high = speed + 0.5 * h * f.norm() / mass;
   double e_low = excess(low), e_high = excess(high);
   if (!(e_low > 0)) return after(low);
   int last_side = 0;
@@ -50,29 +51,47 @@ Vector3d relaxedQuadratic(const Body& body, const Vector3d& p, const Vector3d& f
 
 }  // namespace
 
-void addDrag(const Body& body, const BodyState& state, Wrench& wrench) {
+std::shared_ptr<const ForceLaw> Drag::reindexed(
+    const std::function<std::size_t(std::size_t)>& index) const {
+  return std::make_shared<Drag>(index(body_), coefficients_);
+}
+
+void Drag::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
+  const Body& body = *at.bodies[body_];
+  const BodyState& state = at.states[body_];
   const Vector3d v_W = state.p_W / body.mass;
-  wrench.f_W -= (body.drag.linear + body.drag.quadratic * v_W.norm()) * v_W;
-  wrench.tau_P -= body.drag.angular * angularVelocity(body.inv_I, state.L_P);
+  Wrench& wrench = wrenches[body_];
+  wrench.f_W -= (coefficients_.linear + coefficients_.quadratic * v_W.norm()) * v_W;
+  wrench.tau_P -= coefficients_.angular * angularVelocity(body.inv_I, state.L_P);
 }
 
-double dragRate(const Body& body, double speed) {
-  return std::max((body.drag.linear + 2 * body.drag.quadratic * speed) / body.mass,
-                  body.drag.angular * body.inv_I.maxCoeff());
-}
-
-double dragPower(const Body& body, const BodyState& state) {
+double Drag::externalPower(const Bodies& at) const {
+  const Body& body = *at.bodies[body_];
+  const BodyState& state = at.states[body_];
   const double v = state.p_W.norm() / body.mass;
-  return (body.drag.linear + body.drag.quadratic * v) * v * v +
-         body.drag.angular * angularVelocity(body.inv_I, state.L_P).squaredNorm();
+  return -(coefficients_.linear + coefficients_.quadratic * v) * v * v -
+         coefficients_.angular * angularVelocity(body.inv_I, state.L_P).squaredNorm();
 }
 
-void dragKick(const Body& body, const Wrench& wrench, double h, BodyState& state) {
-  state.p_W = body.drag.quadratic > 0
-                  ? relaxedQuadratic(body, state.p_W, wrench.f_W, h)
-                  : relaxed(state.p_W, wrench.f_W, body.drag.linear / body.mass, h);
+void Drag::addStiffness(const std::vector<const Body*>& bodies,
+                        std::vector<Stiffness>& stiffness) const {
+  const Body& body = *bodies[body_];
+  stiffness[body_].decay +=
+      std::max(coefficients_.linear / body.mass, coefficients_.angular * body.inv_I.maxCoeff());
+}
+
+double Drag::rate(const Bodies& at, const std::vector<double>& speeds) const {
+  if (coefficients_.quadratic == 0) return 0;
+  return (coefficients_.linear + 2 * coefficients_.quadratic * speeds[body_]) /
+         at.bodies[body_]->mass;
+}
+
+void Drag::kick(const Body& body, const Wrench& wrench, double h, BodyState& state) const {
+  state.p_W = coefficients_.quadratic > 0
+                  ? relaxedQuadratic(coefficients_, body.mass, state.p_W, wrench.f_W, h)
+                  : relaxed(state.p_W, wrench.f_W, coefficients_.linear / body.mass, h);
   const Vector3d tau_P = rotateBack(state.q_WP, wrench.tau_W) + wrench.tau_P;
-  const Vector3d rate = body.drag.angular * body.inv_I;
+  const Vector3d rate = coefficients_.angular * body.inv_I;
   Vector3d gain_P;
   for (int i = 0; i < 3; ++i) {
     const double x = rate(i) * h;

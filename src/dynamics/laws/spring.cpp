@@ -5,14 +5,15 @@
 namespace rigid_body_sim {
 namespace {
 
-/// Point of an end from the centre of mass of its body; of an end in the world, from the origin.
+/// Point of an end from the centre of mass of its body; an end in the world has no arm.
 Vector3d armOf(const Spring::End& end, const ForceLaw::Bodies& at) {
-  return end.body == kWorld ? end.point : rotate(at.states[end.body].q_WP, end.point);
+  if (end.body == kWorld) return Vector3d::Zero();
+  return rotate(at.states[end.body].q_WP, end.point);
 }
 
 /// What armOf counts from, in two parts of which the second is small.
 std::array<Vector3d, 2> originOf(const Spring::End& end, const ForceLaw::Bodies& at) {
-  if (end.body == kWorld) return {Vector3d::Zero(), Vector3d::Zero()};
+  if (end.body == kWorld) return {end.point, Vector3d::Zero()};
   return {at.states[end.body].x_W, at.states[end.body].x_low_W};
 }
 
@@ -44,7 +45,7 @@ std::vector<std::size_t> Spring::members() const {
   return bodies;
 }
 
-std::shared_ptr<const ForceLaw> Spring::renamed(
+std::shared_ptr<const ForceLaw> Spring::reindexed(
     const std::function<std::size_t(std::size_t)>& index) const {
   auto copy = std::make_shared<Spring>(*this);
   for (End& end : copy->ends_)
@@ -60,7 +61,8 @@ Spring::Stretch Spring::stretch(const Bodies& at) const {
   Stretch s{Vector3d::Zero(), d.norm(), 0};
   if (!(s.length > 0)) return s;
   s.direction_W = d / s.length;
-  if (isDamped()) s.rate = s.direction_W.dot(velocityOf(ends_[1], at) - velocityOf(ends_[0], at));
+  if (constants_.damping > 0)
+    s.rate = s.direction_W.dot(velocityOf(ends_[1], at) - velocityOf(ends_[0], at));
   return s;
 }
 
@@ -80,6 +82,13 @@ void Spring::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const 
 double Spring::potentialEnergy(const Bodies& at) const {
   const double extension = stretch(at).length - constants_.rest_length;
   return 0.5 * constants_.stiffness * extension * extension;
+}
+
+double Spring::reach(const Bodies& at) const {
+  double length = stretch(at).length;
+  for (const End& end : ends_)
+    if (end.body != kWorld) length += end.point.norm();
+  return length;
 }
 
 double Spring::externalPower(const Bodies& at) const {

@@ -10,40 +10,42 @@ const std::vector<Method>& catalogue() {
   // cost: measured by test/benchmark/step_cost.cpp
   constexpr double kAnyTurn = std::numeric_limits<double>::infinity();
   constexpr unsigned kGeometric = kReversible | kBoundsEnergy | kKeepsFreeL;
-  // of the splittings, those without negative steps take drag: backwards, drag grows without bounds
-  constexpr unsigned kUndamped = kCoupling | kDrag;
-  constexpr unsigned kAll = kCoupling | kDrag | kDamping;
+  // of the splittings, those without negative steps support drag: backwards, drag grows without
+  // bounds
+  constexpr unsigned kUndamped = kCoupling | kDrag | kLawStates;
+  constexpr unsigned kAll = kUndamped | kDamping;
   // clang-format off
   static const std::vector<Method> rows{
       // name               order free eval turn  cost  claims           accepts  step
-      {"semi_implicit_euler", 1, 1,  1, 0.8,  0.9, kKeepsFreeL | kRelaxes, kAll,    semiImplicitEulerStep},
-      {"strang",              2, 2,  1, 0.8,  1,   kGeometric | kRelaxes, kUndamped, strangStep},
-      {"magnus4",             2, 4,  1, 0.4,  1,   kKeepsFreeL | kRelaxes, kUndamped, magnus4Step},
+      {"semi_implicit_euler", 1, 1,  1, 0.8,  0.9, kKeepsFreeL,          kAll,    semiImplicitEulerStep},
+      {"strang",              2, 2,  1, 0.8,  1,   kGeometric, kUndamped, strangStep},
+      {"magnus4",             2, 4,  1, 0.4,  1,   kKeepsFreeL, kUndamped, magnus4Step},
       {"rk4",                 4, 4,  4, 0.4,  1.6, 0,                    kAll,      rk4Step},
       {"blanes_moan6",        6, 0, 14, 1.6, 56,   kGeometric,           kCoupling, blanesMoan6Step},
       {"kahan_li8",           8, 8, 17, 0.8, 15,   kGeometric,           kCoupling, kahanLi8Step},
-      {"dop853",              8, 8, 12, 1.6,  7.7, 0,                    kAll,      dop853Step},
+      {"dop853",              8, 8, 12, 1.6,  7.7, kEstimatesError,                  kAll,      dop853Step},
       {"taylor",             16, 16, 1, kAnyTurn, 2.1, kSolves | kKeepsFreeL, 0,    taylorStep},
   };
   // clang-format on
   return rows;
 }
 
-std::string methodsThatTake(unsigned needs) {
+std::string methodsThatSupport(unsigned needs) {
   std::string names;
   for (const Method& row : catalogue())
-    if (row.takes(needs)) names += (names.empty() ? "" : ", ") + std::string(row.name);
+    if (row.supports(needs)) names += (names.empty() ? "" : ", ") + std::string(row.name);
   return names;
 }
 
-void requireTaken(const Method& method, unsigned needs, const std::string& body) {
-  if (method.takes(needs)) return;
-  const unsigned refused = needs & ~method.accepts;
+void requireSupport(const Method& method, unsigned needs, const std::string& body) {
+  if (method.supports(needs)) return;
+  const unsigned refused = needs & ~method.supported;
   std::string what = "laws or wrenches that couple bodies";
   if (refused & kDrag) what = "drag";
   if (refused & kDamping) what = "damping";
-  throw std::invalid_argument("integrator must be auto or take " + what + ", as body '" + body +
-                              "' needs (" + methodsThatTake(needs) + "), got '" + method.name +
+  if (refused & kLawStates) what = "laws with states of their own";
+  throw std::invalid_argument("integrator must be auto or support " + what + ", as body '" + body +
+                              "' needs (" + methodsThatSupport(needs) + "), got '" + method.name +
                               "'");
 }
 

@@ -49,77 +49,73 @@ double errorEstimate(const System& system, double h, const std::vector<BodyState
 }
 
 /// The rates at all stages of a step of h, stage by stage.
-void evaluateStages(const System& system, double h, const std::vector<BodyState>& states,
+void evaluateStages(const System& system, double h, const SystemState& states,
                     Workspace& workspace) {
-  const std::size_t n = states.size();
+  const std::size_t n = states.bodies.size();
+  const std::size_t laws = system.law_states_change ? states.laws.size() : 0;
   std::vector<BodyStateDot>& dots = workspace.dots;
   dots.resize(kStages * n);
+  workspace.law_dots.resize(kStages * laws);
+  workspace.stages = states;
+  std::vector<double> law_rates;
   for (std::size_t stage = 0; stage < kStages; ++stage) {
-    workspace.stages = states;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; stage > 0 && i < n; ++i) {
       BodyStateDot sum;
       for (std::size_t s = 0; s < stage; ++s)
         accumulate(dots[s * n + i], dop853::kA[stage][s], sum);
-      if (stage > 0) workspace.stages[i] = stagePoint(states[i], sum, h);
+      workspace.stages.bodies[i] = stagePoint(states.bodies[i], sum, h);
     }
-    evaluateWrenchesAndDrag(system, workspace.stages, workspace);
+    for (std::size_t k = 0; k < laws; ++k) {
+      double sum = 0;
+      for (std::size_t s = 0; s < stage; ++s)
+        sum += dop853::kA[stage][s] * workspace.law_dots[s * laws + k];
+      workspace.stages.laws[k] = states.laws[k] + h * sum;
+    }
+    evaluateAllWrenches(system, workspace.stages, workspace);
     for (std::size_t i = 0; i < n; ++i)
-      dots[stage * n + i] = stateDot(*system.bodies[i], workspace.stages[i], workspace.wrenches[i]);
+      dots[stage * n + i] =
+          stateDot(*system.bodies[i], workspace.stages.bodies[i], workspace.wrenches[i]);
+    if (laws == 0) continue;
+    evaluateLawRates(system, workspace.stages, law_rates);
+    std::copy(law_rates.begin(), law_rates.end(),
+              workspace.law_dots.begin() + static_cast<std::ptrdiff_t>(stage * laws));
   }
 }
 
-void endStep(double h, const std::vector<BodyStateDot>& dots, std::vector<BodyState>& states) {
-  for (std::size_t i = 0; i < states.size(); ++i) {
+void endStep(double h, const Workspace& workspace, SystemState& states) {
+  const std::size_t n = states.bodies.size(), laws = workspace.law_dots.size() / kStages;
+  for (std::size_t i = 0; i < n; ++i) {
     BodyStateDot sum;
     for (std::size_t s = 0; s < kStages; ++s)
-      accumulate(dots[s * states.size() + i], dop853::kB[s], sum);
-    states[i] = stepEnd(states[i], sum, h);
+      accumulate(workspace.dots[s * n + i], dop853::kB[s], sum);
+    states.bodies[i] = stepEnd(states.bodies[i], sum, h);
   }
-}
-
-/// A step in equal parts. Returns the greatest estimate of a part; infinity, and leaves the step
-/// unfinished, where a part cannot be followed.
-double stepInParts(const System& system, double h, int parts, std::vector<BodyState>& states,
-                   Workspace& workspace) {
-  const StepBound follows, &bound = workspace.step_bound;
-  const double part = h / parts;
-  double worst = 0;
-  for (int done = 0; done < parts; ++done) {
-    evaluateStages(system, part, states, workspace);
-    const auto estimate = [&](double idle) {
-      return errorEstimate(system, std::abs(part), states, workspace.dots, idle);
-    };
-    const double error = estimate(bound.idle);
-    // not (error <= limit), so that a step to infinity is not followed either
-    if (!(error <= follows.error) && !(estimate(follows.idle) <= follows.error))
-      return std::numeric_limits<double>::infinity();
-    worst = std::max(worst, error);
-    endStep(part, workspace.dots, states);
+  for (std::size_t k = 0; k < laws; ++k) {
+    double sum = 0;
+    for (std::size_t s = 0; s < kStages; ++s)
+      sum += dop853::kB[s] * workspace.law_dots[s * laws + k];
+    states.laws[k] += h * sum;
   }
-  return worst;
 }
 
 }  // namespace
 
-// One step of order 8; in equal parts where its own estimate says that it cannot follow so long a
-// step, and where it exceeds the bound, unless shorter ones gain nothing more but rounding.
-void dop853Step(const System& system, double h, std::vector<BodyState>& states,
-                Workspace& workspace) {
-  constexpr int kMostParts = 1 << 12;
-  constexpr double kGain = 4;  // far below the 2⁸ of the order
-  const std::vector<BodyState> start = states;
-  double last_error = std::numeric_limits<double>::infinity();
-  for (int parts = 1; parts <= kMostParts; parts *= 2) {
-    const double error = stepInParts(system, h, parts, states, workspace);
-    const bool gains = error <= last_error / kGain && parts < kMostParts;
-    if (error <= workspace.step_bound.error || (std::isfinite(error) && !gains)) {
-      workspace.wrenches_current = false;
-      return;
-    }
-    last_error = error;
-    states = start;
+// One step of order 8, with its estimate; infinity, and the step is not done, where the estimate
+// says that the motion cannot be followed.
+void dop853Step(const System& system, double h, SystemState& states, Workspace& workspace) {
+  evaluateStages(system, h, states, workspace);
+  workspace.wrenches_current = false;
+  const auto estimate = [&](double idle) {
+    return errorEstimate(system, std::abs(h), states.bodies, workspace.dots, idle);
+  };
+  const StepBound follows;
+  workspace.error = estimate(workspace.step_bound.idle);
+  // not (error <= limit), so that a step to infinity is not followed either
+  if (!(workspace.error <= follows.error) && !(estimate(follows.idle) <= follows.error)) {
+    workspace.error = std::numeric_limits<double>::infinity();
+    return;
   }
-  throw StepTooLong("dop853 cannot follow the motion, even in 4096 parts of a step");
+  endStep(h, workspace, states);
 }
 
 }  // namespace rigid_body_sim

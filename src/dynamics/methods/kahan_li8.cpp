@@ -5,8 +5,7 @@ namespace rigid_body_sim {
 // Seventeen Strang steps of lengths that cancel every error term up to order 8.
 // Source: Kahan & Li, Math. Comp. 66 (1997) 1089; Hairer, Lubich & Wanner, Geometric Numerical
 // Integration, 2nd ed., V.3.2.
-void kahanLi8Step(const System& system, double h, std::vector<BodyState>& states,
-                  Workspace& workspace) {
+void kahanLi8Step(const System& system, double h, SystemState& states, Workspace& workspace) {
   constexpr double g1 = 0.13020248308889008088, g2 = 0.56116298177510838456,
                    g3 = -0.38947496264484728641, g4 = 0.15884190655515560090,
                    g5 = -0.39590389413323757734, g6 = 0.18453964097831570709,

@@ -10,24 +10,31 @@ namespace rigid_body_sim {
 //   1/2 | 0   1/2
 //   1   | 0   0   1
 //       | 1/6 1/3 1/3 1/6
-void rk4Step(const System& system, double h, std::vector<BodyState>& states, Workspace& workspace) {
+void rk4Step(const System& system, double h, SystemState& states, Workspace& workspace) {
   constexpr std::array<double, 4> kNode{0, 0.5, 0.5, 1};
   constexpr std::array<double, 4> kWeight{1. / 6, 1. / 3, 1. / 3, 1. / 6};
-  const std::size_t n = states.size();
+  const std::size_t n = states.bodies.size();
   std::vector<BodyStateDot>& dots = workspace.dots;
   dots.assign(2 * n, BodyStateDot{});  // this stage's rates, then the weighted sum
+  std::vector<double> law_dots, law_sum(system.law_states_change ? states.laws.size() : 0);
   workspace.stages = states;
   for (std::size_t stage = 0; stage < 4; ++stage) {
     if (stage > 0)
       for (std::size_t i = 0; i < n; ++i)
-        workspace.stages[i] = stagePoint(states[i], dots[i], kNode[stage] * h);
-    evaluateWrenchesAndDrag(system, workspace.stages, workspace);
+        workspace.stages.bodies[i] = stagePoint(states.bodies[i], dots[i], kNode[stage] * h);
+    for (std::size_t k = 0; stage > 0 && k < law_sum.size(); ++k)
+      workspace.stages.laws[k] = states.laws[k] + kNode[stage] * h * law_dots[k];
+    evaluateAllWrenches(system, workspace.stages, workspace);
     for (std::size_t i = 0; i < n; ++i) {
-      dots[i] = stateDot(*system.bodies[i], workspace.stages[i], workspace.wrenches[i]);
+      dots[i] = stateDot(*system.bodies[i], workspace.stages.bodies[i], workspace.wrenches[i]);
       accumulate(dots[i], kWeight[stage], dots[n + i]);
     }
+    if (!system.law_states_change) continue;
+    evaluateLawRates(system, workspace.stages, law_dots);
+    for (std::size_t k = 0; k < law_sum.size(); ++k) law_sum[k] += kWeight[stage] * law_dots[k];
   }
-  for (std::size_t i = 0; i < n; ++i) states[i] = stepEnd(states[i], dots[n + i], h);
+  for (std::size_t i = 0; i < n; ++i) states.bodies[i] = stepEnd(states.bodies[i], dots[n + i], h);
+  for (std::size_t k = 0; k < law_sum.size(); ++k) states.laws[k] += h * law_sum[k];
   workspace.wrenches_current = false;
 }
 

@@ -6,13 +6,14 @@ namespace rigid_body_sim {
 // RigidBody::Update):
 //   p += f h,  x += p/m h,  L += τ h,  ω = I⁻¹ L with I = A I₀ Aᵀ,  A turned by |ω| h about ω
 // Drag, which the lecture does not have, slows p and L down by its exact flow.
-void semiImplicitEulerStep(const System& system, double h, std::vector<BodyState>& states,
+void semiImplicitEulerStep(const System& system, double h, SystemState& states,
                            Workspace& workspace) {
   evaluateWrenches(system, states, workspace);
-  methods::kickAll(system, h, workspace.wrenches, states);
-  for (std::size_t i = 0; i < states.size(); ++i) {
+  methods::kickAll(system, h, workspace.wrenches, states.bodies);
+  const methods::LawDrift laws(system, states);
+  for (std::size_t i = 0; i < states.bodies.size(); ++i) {
     const Body& body = *system.bodies[i];
-    BodyState& s = states[i];
+    BodyState& s = states.bodies[i];
     driftPosition(body.mass, h, s);
     const Vector3d w_P = angularVelocity(body.inv_I, rotateBack(s.q_WP, s.L_W));
     const Vector3d w_W = rotate(s.q_WP, w_P);
@@ -20,6 +21,7 @@ void semiImplicitEulerStep(const System& system, double h, std::vector<BodyState
     renormalize(s.q_WP);
     s.L_P = rotateBack(s.q_WP, s.L_W);
   }
+  laws.finish(system, h, states);
   workspace.wrenches_current = false;
 }
 

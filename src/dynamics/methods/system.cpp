@@ -1,50 +1,69 @@
 #include "dynamics/methods/system.hpp"
 
-#include <rigid_body_sim/dynamics/drag.hpp>
-
 namespace rigid_body_sim {
 namespace {
 
+void addLaws(const System& system, const SystemState& states, std::vector<Wrench>& wrenches) {
+  const ForceLaw::Bodies at{system.bodies, states.bodies};
+  for (const auto& law : system.laws) law->addWrenches(at, wrenches);
+  forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& with_own) {
+    if (law.acts(with_own.own)) law.addWrenches(with_own, wrenches);
+  });
+}
+
 /// kFields: gravity and laws too.
 template <bool kFields>
-void evaluate(const System& system, const std::vector<BodyState>& states, Workspace& workspace) {
+void evaluate(const System& system, const SystemState& states, Workspace& workspace) {
+  const std::vector<BodyState>& bodies = states.bodies;
   std::vector<Wrench>& wrenches = workspace.wrenches;
-  wrenches.resize(states.size());
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    wrenches[i] = system.held[i].at(states[i]);
+  wrenches.resize(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    wrenches[i] = system.held[i].at(bodies[i]);
     if (kFields) wrenches[i].f_W += system.bodies[i]->mass * system.g_W;
   }
   for (const PointWrench& applied : system.coupled)
-    addPointWrench(applied, states, wrenches[applied.body]);
-  if (kFields)
-    for (const auto& law : system.laws) law->addWrenches({system.bodies, states}, wrenches);
+    addPointWrench(applied, bodies, wrenches[applied.body]);
+  if (kFields) addLaws(system, states, wrenches);
   ++workspace.evaluations;
 }
 
-void addAllDrag(const System& system, const std::vector<BodyState>& states,
-                std::vector<Wrench>& wrenches) {
-  if (!system.drags) return;
-  for (std::size_t i = 0; i < states.size(); ++i)
-    addDrag(*system.bodies[i], states[i], wrenches[i]);
+void addFlows(const System& system, const SystemState& states, std::vector<Wrench>& wrenches) {
+  const ForceLaw::Bodies at{system.bodies, states.bodies};
+  for (const auto& law : system.flows) law->addWrenches(at, wrenches);
 }
 
 }  // namespace
 
-void evaluateWrenches(const System& system, const std::vector<BodyState>& states,
-                      Workspace& workspace) {
+void evaluateWrenches(const System& system, const SystemState& states, Workspace& workspace) {
   evaluate<true>(system, states, workspace);
 }
 
-void evaluateAppliedAndDrag(const System& system, const std::vector<BodyState>& states,
-                            Workspace& workspace) {
+void evaluateAppliedAndFlows(const System& system, const SystemState& states,
+                             Workspace& workspace) {
   evaluate<false>(system, states, workspace);
-  addAllDrag(system, states, workspace.wrenches);
+  addFlows(system, states, workspace.wrenches);
 }
 
-void evaluateWrenchesAndDrag(const System& system, const std::vector<BodyState>& states,
-                             Workspace& workspace) {
+void evaluateAllWrenches(const System& system, const SystemState& states, Workspace& workspace) {
   evaluateWrenches(system, states, workspace);
-  addAllDrag(system, states, workspace.wrenches);
+  addFlows(system, states, workspace.wrenches);
+}
+
+void evaluateLawRates(const System& system, const SystemState& states, std::vector<double>& rates) {
+  rates.assign(states.laws.size(), 0);
+  for (const System::StatefulLaw& stateful : system.stateful_laws)
+    stateful.law->setRates({system.bodies, states.bodies, states.laws.data() + stateful.first},
+                           rates.data() + stateful.first);
+}
+
+double externalPower(const System& system, const SystemState& states) {
+  const ForceLaw::Bodies at{system.bodies, states.bodies};
+  double power = 0;
+  for (const auto& law : system.laws) power += law->externalPower(at);
+  forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& with_own) {
+    if (law.acts(with_own.own)) power += law.externalPower(with_own);
+  });
+  return power;
 }
 
 }  // namespace rigid_body_sim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/force_law.hpp>
@@ -11,45 +12,74 @@
 namespace rigid_body_sim {
 
 /// Bodies that act on one another, with all that acts on them between two events. What is absent
-/// from the scene is absent here.
+/// from the scene is absent here. Indices of bodies are those of this system.
 struct System {
+  /// A law that has states of its own, and the first of them in SystemState::laws.
+  struct StatefulLaw {
+    std::shared_ptr<const ForceLaw> law;
+    std::size_t first;
+  };
+
   std::vector<const Body*> bodies;
-  Vector3d g_W = Vector3d::Zero();   ///< [m/s²]
-  std::vector<HeldWrench> held;      ///< one per body
-  std::vector<PointWrench> coupled;  ///< whose axes or point turn with another body; indices are
-                                     ///< those of this system
-  ForceLaws laws;                    ///< indices likewise
-  bool drags = false;                ///< whether any of the bodies has drag
+  Vector3d g_W = Vector3d::Zero();       ///< [m/s²]
+  std::vector<HeldWrench> held;          ///< one per body
+  std::vector<PointWrench> coupled;      ///< whose axes or point turn with another body
+  ForceLaws laws;                        ///< without states of their own and without a flow
+  ForceLaws flows;                       ///< laws with a flow
+  std::vector<const ForceLaw*> flow_of;  ///< that on each body or null; empty where there is none
+  std::vector<StatefulLaw> stateful_laws;
+  bool law_states_change = false;  ///< with time, not only from mode to mode
+  bool has_events = false;         ///< whether any law has guards
 };
 
-/// What a method that estimates the error of its step lets the estimate reach before it takes the
-/// step in parts. As it stands, beyond it an estimate means that the step cannot be followed.
+/// What changes about a system.
+struct SystemState {
+  std::vector<BodyState> bodies;
+  std::vector<double> laws;
+};
+
+/// What an integrator that estimates the error of its step lets the estimate reach before the step
+/// is divided. As it stands, beyond it an estimate means that the step cannot be followed.
 struct StepBound {
   double error = 1e-4;  ///< [rad] of attitudes; of momenta relative to their size and change
   double idle = 1e-9;  ///< errors of momenta do not count that turn a body by less [rad] within the
                        ///< step, or move it by less of its radius of gyration
 };
 
-/// Memory that a method reuses from step to step.
+/// Memory that an integrator reuses from step to step.
 struct Workspace {
   std::vector<Wrench> wrenches;  ///< at the present states, if wrenches_current
   bool wrenches_current = false;
   std::int64_t evaluations = 0;  ///< of all wrenches, since the workspace was made
-  std::vector<BodyState> stages;
+  SystemState stages;
   std::vector<BodyStateDot> dots;
+  std::vector<double> law_dots;
   StepBound step_bound;
+  double error = 0;  ///< estimated by the last step (Claim kEstimatesError); infinity: not followed
 };
 
-/// Puts the wrench on each body, gravity included and drag left out, into workspace.wrenches.
-void evaluateWrenches(const System& system, const std::vector<BodyState>& states,
-                      Workspace& workspace);
+/// Calls f(law, at) for each law of the system with states of its own.
+template <class F>
+void forStatefulLaws(const System& system, const SystemState& states, const F& f) {
+  for (const System::StatefulLaw& stateful : system.stateful_laws)
+    f(*stateful.law,
+      ForceLaw::Bodies{system.bodies, states.bodies, states.laws.data() + stateful.first});
+}
 
-/// As evaluateWrenches, without gravity and laws, but with drag: what has no potential energy.
-void evaluateAppliedAndDrag(const System& system, const std::vector<BodyState>& states,
-                            Workspace& workspace);
+/// Puts the wrench on each body, gravity included and laws with a flow left out, into
+/// workspace.wrenches.
+void evaluateWrenches(const System& system, const SystemState& states, Workspace& workspace);
 
-/// As evaluateWrenches, with drag.
-void evaluateWrenchesAndDrag(const System& system, const std::vector<BodyState>& states,
-                             Workspace& workspace);
+/// As evaluateWrenches, without gravity and laws, but with laws that have a flow.
+void evaluateAppliedAndFlows(const System& system, const SystemState& states, Workspace& workspace);
+
+/// As evaluateWrenches, with the laws that have a flow.
+void evaluateAllWrenches(const System& system, const SystemState& states, Workspace& workspace);
+
+/// Rates of the laws' own states.
+void evaluateLawRates(const System& system, const SystemState& states, std::vector<double>& rates);
+
+/// Sum of the external powers of all laws [W].
+double externalPower(const System& system, const SystemState& states);
 
 }  // namespace rigid_body_sim

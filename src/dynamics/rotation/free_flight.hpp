@@ -14,6 +14,8 @@ class FreeFlight {
   /// f_W [N]: gravity included. start.q_WP must be a unit quaternion.
   FreeFlight(const Body& body, const Vector3d& f_W, const BodyState& start);
 
+  const BodyState& start() const { return start_; }
+
   /// The state dt [s] after the start.
   BodyState at(double dt) const;
 

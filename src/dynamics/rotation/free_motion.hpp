@@ -4,6 +4,8 @@
 
 #include <rigid_body_sim/dynamics/state.hpp>
 
+#include "math/two_sum.hpp"
+
 /// Kernels of motion without wrenches and of impulses, templates on the scalar.
 namespace rigid_body_sim {
 
@@ -63,11 +65,7 @@ void driftMagnus(const Vector3<T>& inv_I, T h, BodyStateT<T>& s) {
 /// x += d with the part that x_W is too coarse to hold kept in x_low_W (Neumaier).
 template <class T>
 void moveBy(const Vector3<T>& d, BodyStateT<T>& s) {
-  const Vector3<T> step = d + s.x_low_W;
-  const Vector3<T> sum = s.x_W + step;
-  const Vector3<T> taken = sum - s.x_W;
-  s.x_low_W = (s.x_W - (sum - taken)) + (step - taken);
-  s.x_W = sum;
+  s.x_W = twoSum(s.x_W, Vector3<T>(d + s.x_low_W), s.x_low_W);
 }
 
 /// x += h p/m

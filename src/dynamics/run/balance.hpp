@@ -6,7 +6,7 @@
 namespace rigid_body_sim {
 
 /// The books of a run since a start: what the bodies had, and what they exchanged since. What they
-/// have beyond that, no law of motion explains; it is the method's doing.
+/// have beyond that, no law of motion explains: it is the integrator's error.
 class Balance {
  public:
   Balance(const World& world, const State& start) : start_(totalsOf(world, start)) {}

@@ -1,7 +1,7 @@
 #include "dynamics/run/coupling.hpp"
 
-#include <cassert>
-#include <limits>
+#include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -16,73 +16,125 @@ std::size_t root(std::vector<std::size_t>& parent, std::size_t body) {
   return body;
 }
 
-}  // namespace
-
-std::vector<std::vector<std::size_t>> linkedBodies(
-    const std::vector<Body>& bodies, const std::vector<std::vector<std::size_t>>& bonds) {
-  std::vector<std::size_t> parent(bodies.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  for (const std::vector<std::size_t>& bond : bonds) {
-    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    std::size_t first = kNone;
-    for (std::size_t body : bond) {
-      if (bodies[body].fixed) continue;
-      if (first == kNone) first = body;
-      parent[root(parent, body)] = root(parent, first);
-    }
-  }
-  std::vector<std::vector<std::size_t>> groups;
-  std::vector<std::size_t> group_of(bodies.size(), bodies.size());
-  for (std::size_t body = 0; body < bodies.size(); ++body) {
-    if (bodies[body].fixed) continue;
-    std::size_t& group = group_of[root(parent, body)];
-    if (group == bodies.size()) {
-      group = groups.size();
-      groups.emplace_back();
-    }
-    groups[group].push_back(body);
-  }
-  return groups;
+/// The bodies that a wrench links: acted on, and turned with.
+std::vector<std::size_t> bodiesOf(const PointWrench& wrench) {
+  std::vector<std::size_t> bodies;
+  for (std::size_t body : {wrench.body, wrench.axes, wrench.point_frame})
+    if (body < kOwnBody) bodies.push_back(body);
+  return bodies;
 }
 
-std::vector<CoupledBodies> coupledBodies(const World& world,
-                                         const std::vector<WrenchSchedule>& schedules) {
-  std::vector<std::vector<std::size_t>> bonds;
-  for (const auto& law : world.laws) {
-    bonds.push_back(law->members());
-    assert(!bonds.back().empty());
-    for ([[maybe_unused]] std::size_t body : bonds.back()) assert(!world.bodies[body].fixed);
+/// Links the bodies of a set; those that are fixed, or not among the given, are passed over.
+class Linker {
+ public:
+  explicit Linker(const std::vector<std::size_t>& bodies)
+      : bodies_(bodies), parent_(bodies.size()) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
-  for (const WrenchSchedule& schedule : schedules) bonds.push_back(schedule.bodies());
+
+  void link(const std::vector<std::size_t>& bond) {
+    std::size_t first = bodies_.size();
+    for (std::size_t body : bond) {
+      const auto it = std::lower_bound(bodies_.begin(), bodies_.end(), body);
+      if (it == bodies_.end() || *it != body) continue;
+      const auto k = static_cast<std::size_t>(it - bodies_.begin());
+      if (first == bodies_.size()) first = k;
+      parent_[root(parent_, k)] = root(parent_, first);
+    }
+  }
+
+  /// Groups ascend by their first member.
+  std::vector<std::vector<std::size_t>> groups() {
+    std::vector<std::vector<std::size_t>> groups;
+    std::vector<std::size_t> group_of(bodies_.size(), bodies_.size());
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      std::size_t& group = group_of[root(parent_, k)];
+      if (group == bodies_.size()) {
+        group = groups.size();
+        groups.emplace_back();
+      }
+      groups[group].push_back(bodies_[k]);
+    }
+    return groups;
+  }
+
+ private:
+  const std::vector<std::size_t>& bodies_;  // ascending
+  std::vector<std::size_t> parent_;         // index by index
+};
+
+}  // namespace
+
+std::vector<std::size_t> movingBodies(const World& world) {
+  std::vector<std::size_t> moving;
+  for (std::size_t body = 0; body < world.bodies.size(); ++body)
+    if (!world.bodies[body].fixed) moving.push_back(body);
+  return moving;
+}
+
+LawTable::LawTable(const World& world) : of_body_(world.bodies.size()) {
+  for (std::size_t i = 0; i < world.laws.size(); ++i) {
+    const ForceLaw& law = *world.laws[i];
+    first_state_.push_back(state_count_);
+    state_count_ += law.stateCount();
+    if (law.guardCount() > 0) guarded_.push_back(i);
+    for (std::size_t body : law.members()) of_body_[body].push_back(i);
+  }
+}
+
+std::vector<double> LawTable::start(const World& world) const {
+  std::vector<double> states(state_count_);
+  for (std::size_t i = 0; i < world.laws.size(); ++i)
+    if (world.laws[i]->stateCount() > 0) world.laws[i]->setStart(states.data() + first_state_[i]);
+  return states;
+}
+
+std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& laws,
+                                         const std::vector<double>& law_states,
+                                         const std::vector<WrenchSchedule>& schedules,
+                                         const std::vector<std::size_t>& bodies) {
+  Linker linker(bodies);
+  std::vector<std::size_t> acting;
+  for (std::size_t body : bodies) {
+    for (std::size_t law : laws.of(body)) {
+      const std::vector<std::size_t> members = world.laws[law]->members();
+      const bool is_first = members.front() == body;
+      if (!is_first || !world.laws[law]->acts(law_states.data() + laws.firstState(law))) continue;
+      acting.push_back(law);
+      linker.link(members);
+    }
+    for (const PointWrench& wrench : schedules[body].active()) linker.link(bodiesOf(wrench));
+  }
+  std::sort(acting.begin(), acting.end());
+  acting.erase(std::unique(acting.begin(), acting.end()), acting.end());
+
   std::vector<CoupledBodies> groups;
-  std::vector<std::size_t> group_of(world.bodies.size());
-  for (std::vector<std::size_t>& members : linkedBodies(world.bodies, bonds)) {
+  std::map<std::size_t, std::size_t> group_of;
+  for (std::vector<std::size_t>& members : linker.groups()) {
     for (std::size_t body : members) group_of[body] = groups.size();
     groups.push_back({std::move(members), {}});
   }
-  for (const auto& law : world.laws) groups[group_of[law->members().front()]].laws.push_back(law);
+  for (std::size_t law : acting)
+    groups[group_of[world.laws[law]->members().front()]].laws.push_back(law);
   return groups;
 }
 
 unsigned needsOf(const World& world, const CoupledBodies& group,
                  const std::vector<WrenchSchedule>& schedules) {
-  unsigned needs = group.laws.empty() ? 0u : kCoupling;
-  for (const auto& law : group.laws)
-    if (law->isDamped()) needs |= kDamping;
-  for (std::size_t body : group.members) {
-    if (world.bodies[body].drag.any()) needs |= kDrag;
+  unsigned needs = 0;
+  for (std::size_t law : group.laws) needs |= world.laws[law]->needs();
+  for (std::size_t body : group.members)
     if (!schedules[body].allHeld()) needs |= kCoupling;
-  }
   return needs;
 }
 
-void requireTaken(const World& world) {
-  std::vector<WrenchSchedule> schedules(world.bodies.size());
-  for (const PointWrench& wrench : world.wrenches) schedules[wrench.body].put("", wrench, 0);
+void requireSupport(const World& world) {
   const Method& method = methodNamed(world.solver.integrator);
-  for (const CoupledBodies& group : coupledBodies(world, schedules))
-    requireTaken(method, needsOf(world, group, schedules),
-                 world.bodies[group.members.front()].name);
+  for (const PointWrench& wrench : world.wrenches)
+    if (!HeldWrench::holds(wrench))
+      requireSupport(method, kCoupling, world.bodies[wrench.body].name);
+  for (const auto& law : world.laws)
+    requireSupport(method, law->needs(), world.bodies[law->members().front()].name);
 }
 
 }  // namespace rigid_body_sim

@@ -11,25 +11,54 @@ namespace rigid_body_sim {
 /// Bodies that act on one another, with the laws between them.
 struct CoupledBodies {
   std::vector<std::size_t> members;  ///< indices in the world, ascending
-  ForceLaws laws;                    ///< of the world, by its indices
+  std::vector<std::size_t> laws;     ///< indices in World::laws, ascending
+
+  bool operator==(const CoupledBodies& other) const {
+    return members == other.members && laws == other.laws;
+  }
 };
 
-/// Splits the bodies that move into groups that do not act on one another: two bodies are in one
-/// group when a chain of bonds (sets of body indices) links them. Fixed bodies are in none and link
-/// nothing. Groups ascend by their first member.
-std::vector<std::vector<std::size_t>> linkedBodies(
-    const std::vector<Body>& bodies, const std::vector<std::vector<std::size_t>>& bonds);
+/// Indices, ascending.
+std::vector<std::size_t> movingBodies(const World& world);
 
-/// The groups of a world: linked by laws, and by wrenches that turn with another body.
-std::vector<CoupledBodies> coupledBodies(const World& world,
-                                         const std::vector<WrenchSchedule>& schedules);
+/// The laws of a world: where their own states lie, and which act on each body.
+class LawTable {
+ public:
+  explicit LawTable(const World& world);
 
-/// What a method must accept to advance the group (Need).
+  /// Of a law's own states, in State::laws.
+  std::size_t firstState(std::size_t law) const { return first_state_[law]; }
+  std::size_t stateCount() const { return state_count_; }
+
+  /// Laws of which a body is a member.
+  const std::vector<std::size_t>& of(std::size_t body) const { return of_body_[body]; }
+
+  /// Laws with guards that may begin to act while they do not.
+  const std::vector<std::size_t>& guarded() const { return guarded_; }
+
+  /// As the laws start.
+  std::vector<double> start(const World& world) const;
+
+ private:
+  std::vector<std::size_t> first_state_;
+  std::size_t state_count_ = 0;
+  std::vector<std::vector<std::size_t>> of_body_;
+  std::vector<std::size_t> guarded_;
+};
+
+/// Groups those bodies that the laws and wrenches which act now link with one another. bodies: all
+/// that move, or some that nothing else is linked with. law_states: State::laws.
+std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& laws,
+                                         const std::vector<double>& law_states,
+                                         const std::vector<WrenchSchedule>& schedules,
+                                         const std::vector<std::size_t>& bodies);
+
+/// What an integrator must support to advance the group (Need).
 unsigned needsOf(const World& world, const CoupledBodies& group,
                  const std::vector<WrenchSchedule>& schedules);
 
 /// Throws std::invalid_argument, naming the body, where the world's integrator is unknown or does
-/// not take what acts on one of its groups. For a world whose integrator is not auto.
-void requireTaken(const World& world);
+/// not support what acts, now or later. For a world whose integrator is not auto.
+void requireSupport(const World& world);
 
 }  // namespace rigid_body_sim

@@ -1,223 +1,205 @@
 #include "dynamics/run/group.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
-#include <rigid_body_sim/dynamics/drag.hpp>
-
 namespace rigid_body_sim {
-namespace {
 
-/// Stands for an ExchangeMeter where nobody asks, and costs nothing.
-struct NoMeter {
-  void step(const Method&, const System&, double, const std::vector<BodyState>&) {}
-  void solved(const System&, const SolvedMotion&, double, double) {}
-};
-
-}  // namespace
-
-Group::Group(const World& world, const CoupledBodies& bodies, unsigned needs,
-             const MethodChoice& choice)
-    : members_(bodies.members),
-      needs_(needs),
-      choice_(choice),
-      states_(members_.size()),
-      promise_{world.solver.tolerance, world.solver.horizon} {
-  if (world.solver.tolerance_stated) bound_ = promise_;
+Group::Group(const World& world, const LawTable& laws, const CoupledBodies& bodies,
+             const MethodChoice& choice, double t, std::vector<BodyState> start,
+             const std::vector<double>& law_states, const std::vector<WrenchSchedule>& schedules)
+    : bodies_(bodies), t_(t), present_{std::move(start), {}}, solved_choice_(choice) {
+  const ErrorBound tolerance{world.solver.tolerance, world.solver.horizon};
+  if (world.solver.tolerance_stated) bound_ = tolerance;
   system_.g_W = world.g_W;
-  for (std::size_t body : members_) {
-    system_.bodies.push_back(&world.bodies[body]);
-    system_.drags |= world.bodies[body].drag.any();
+  for (std::size_t body : bodies_.members) system_.bodies.push_back(&world.bodies[body]);
+  addLaws(world, bodies, laws, law_states);
+  if (choice.method) stepper_.emplace(choice, tolerance, system_);
+  gatherWrenches(schedules);
+}
+
+/// Parts the laws by what they ask of an integrator.
+void Group::addLaws(const World& world, const CoupledBodies& bodies, const LawTable& table,
+                    const std::vector<double>& law_states) {
+  for (std::size_t index : bodies.laws) {
+    auto law = world.laws[index]->reindexed([this](std::size_t body) { return localIndex(body); });
+    system_.law_states_change |= (law->needs() & kLawStates) != 0;
+    system_.has_events |= law->guardCount() > 0;
+    if (law->stateCount() > 0) {
+      const double* own = law_states.data() + table.firstState(index);
+      const std::size_t first = present_.laws.size();
+      present_.laws.insert(present_.laws.end(), own, own + law->stateCount());
+      system_.stateful_laws.push_back({std::move(law), first});
+      stateful_laws_.push_back(index);
+    } else if (law->hasFlow()) {
+      system_.flow_of.resize(bodies_.members.size());
+      system_.flow_of[law->members().front()] = law.get();
+      system_.flows.push_back(std::move(law));
+    } else {
+      system_.laws.push_back(std::move(law));
+    }
   }
-  for (const auto& law : bodies.laws)
-    system_.laws.push_back(law->renamed([this](std::size_t body) { return localIndex(body); }));
-  if (system_.laws.empty()) return;
-  std::vector<Stiffness> stiffness(members_.size());
-  for (const auto& law : system_.laws) law->addStiffness(system_.bodies, stiffness);
-  for (const Stiffness& of_body : stiffness)
-    law_rate_ = std::max({law_rate_, std::sqrt(of_body.frequency_squared), of_body.decay});
+}
+
+void Group::putLawStates(const LawTable& table, std::vector<double>& law_states) const {
+  for (std::size_t k = 0; k < stateful_laws_.size(); ++k) {
+    const System::StatefulLaw& stateful = system_.stateful_laws[k];
+    std::copy_n(
+        present_.laws.begin() + static_cast<std::ptrdiff_t>(stateful.first),
+        stateful.law->stateCount(),
+        law_states.begin() + static_cast<std::ptrdiff_t>(table.firstState(stateful_laws_[k])));
+  }
 }
 
 std::size_t Group::localIndex(std::size_t body) const {
   if (body == kWorld) return kWorld;
-  const auto it = std::lower_bound(members_.begin(), members_.end(), body);
-  return static_cast<std::size_t>(it - members_.begin());
+  const auto it = std::lower_bound(bodies_.members.begin(), bodies_.members.end(), body);
+  return static_cast<std::size_t>(it - bodies_.members.begin());
 }
 
-void Group::distrustTrial() {
-  if (!choice_.method || std::isinf(choice_.tried_until)) return;
-  MethodChoice controlled = controlledChoice();
-  controlled.most_turn_share = choice_.most_turn_share;
-  controlled.holds = choice_.holds;
-  choice_ = controlled;
+void Group::anchor(const MotionAnchor& anchor, const std::vector<WrenchSchedule>& schedules) {
+  anchored_until_ = nextEvent(schedules);
+  solved_.emplace(problem(), anchor.t, anchor.state, anchored_until_);
+  t_ = anchor.t;
+  present_.bodies[0] = anchor.state;
 }
 
-void Group::restart(double t, std::vector<WrenchSchedule>& schedules) {
-  for (std::size_t body : members_) schedules[body].advanceTo(t);
+void Group::fallBackToErrorControl() {
+  if (stepper_) stepper_->fallBackToErrorControl();
+}
+
+void Group::restart(double t, const std::vector<WrenchSchedule>& schedules) {
+  if (solved_) present_.bodies[0] = solved_->at(t);
+  t_ = t;
+  solved_.reset();
   gatherWrenches(schedules);
 }
 
-double Group::foreseenUntil(const std::vector<WrenchSchedule>& schedules) const {
+void Group::setState(std::size_t k, const BodyState& state) {
+  solved_.reset();
+  present_.bodies[k] = state;
+  if (stepper_) stepper_->restart(system_);
+}
+
+double Group::knownUntil(const std::vector<WrenchSchedule>& schedules) const {
   if (!solved_) return -std::numeric_limits<double>::infinity();
-  return std::min(solved_->finiteUntil(states_[0]), schedules[members_[0]].nextEvent());
+  return std::min(solved_->finiteUntil(present_.bodies[0]), nextEvent(schedules));
 }
 
-void Group::putForeseen(double t, std::vector<BodyState>& bodies) const {
-  bodies[members_[0]] = solved_->at(t);
+double Group::nextEvent(const std::vector<WrenchSchedule>& schedules) const {
+  double next = std::numeric_limits<double>::infinity();
+  for (std::size_t body : bodies_.members) next = std::min(next, schedules[body].nextEvent());
+  return next;
 }
 
-void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-                    const std::vector<BodyState>& bodies) {
+BodyState Group::at(double t, std::size_t k) const {
+  return solved_ ? solved_->at(t) : present_.bodies[k];
+}
+
+MotionAnchor Group::anchorOf(std::size_t k) const {
+  return solved_ ? solved_->anchor() : MotionAnchor{t_, present_.bodies[k]};
+}
+
+void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
+  std::vector<HeldWrenchSum> sums(bodies_.members.size());
+  system_.coupled.clear();
+  const auto isHere = [this](std::size_t frame) {
+    return frame == kWorld ||
+           std::binary_search(bodies_.members.begin(), bodies_.members.end(), frame);
+  };
+  for (std::size_t k = 0; k < bodies_.members.size(); ++k) {
+    for (PointWrench wrench : schedules[bodies_.members[k]].active()) {
+      if (HeldWrench::holds(wrench)) {
+        sums[k].add(wrench);
+      } else if (isHere(wrench.axes) && isHere(wrench.point_frame)) {
+        wrench.body = k;
+        wrench.axes = localIndex(wrench.axes);
+        wrench.point_frame = localIndex(wrench.point_frame);
+        system_.coupled.push_back(wrench);
+      }  // else its bodies are about to be linked
+    }
+  }
+  system_.held.clear();
+  for (const HeldWrenchSum& sum : sums) system_.held.push_back(sum.sum());
+  if (stepper_) stepper_->restart(system_);
+}
+
+void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedules) {
   NoMeter none;
-  advanceMetered(t, t_end, schedules, bodies, none);
+  advanceMetered(t, t_end, schedules, none);
 }
 
 void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-                    const std::vector<BodyState>& bodies, ExchangeMeter& meter) {
-  advanceMetered(t, t_end, schedules, bodies, meter);
+                    ExchangeMeter& meter) {
+  advanceMetered(t, t_end, schedules, meter);
 }
 
 template <class Meter>
 void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-                           const std::vector<BodyState>& bodies, Meter& meter) {
-  for (std::size_t k = 0; k < members_.size(); ++k) states_[k] = bodies[members_[k]];
-
+                           Meter& meter) {
+  next_ = present_;
+  switched_ = false;
   while (t < t_end) {
-    if (choice_.cut_short && t >= choice_.tried_until) distrustTrial();
+    if (t >= choice().tried_until) fallBackToErrorControl();
     // up to the next event, or to the end
-    double t_next = t_end;
-    for (std::size_t body : members_) t_next = std::min(t_next, schedules[body].nextEvent());
-    if (t_next > t && choice_.method) stepInParts(t_next - t, meter);
-    if (t_next > t && !choice_.method) solve(t, t_next, schedules[members_[0]].nextEvent(), meter);
+    const double next_event = nextEvent(schedules);
+    const double t_next = std::min(t_end, next_event);
+    if (t_next > t && stepper_)
+      switched_ |= stepper_->advance(system_, t, t_next - t, next_, meter);
+    if (t_next > t && !stepper_) solve(t, t_next, next_event, meter);
     t = t_next;
 
     // what starts and ends there
     bool changed = false;
-    for (std::size_t body : members_) changed |= schedules[body].advanceTo(t);
-    if (changed && t >= choice_.tried_until) distrustTrial();
-    if (changed) gatherWrenches(schedules);
+    for (std::size_t body : bodies_.members) changed |= schedules[body].advanceTo(t);
+    if (!changed) continue;
+    keepMotion();
+    solved_.reset();
+    gatherWrenches(schedules);
   }
-}
-
-void Group::putStates(std::vector<BodyState>& bodies) const {
-  for (std::size_t k = 0; k < members_.size(); ++k) bodies[members_[k]] = states_[k];
-}
-
-void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
-  system_.held.assign(members_.size(), HeldWrench());
-  system_.coupled.clear();
-  for (std::size_t body : members_) {
-    for (PointWrench wrench : schedules[body].active()) {
-      wrench.body = localIndex(wrench.body);
-      wrench.axes = localIndex(wrench.axes);
-      wrench.point_frame = localIndex(wrench.point_frame);
-      if (HeldWrench::holds(wrench))
-        system_.held[wrench.body].add(wrench);
-      else
-        system_.coupled.push_back(wrench);
-    }
-  }
-  drag_counts_ = system_.drags && choice_.method && !choice_.method->claimsTo(kRelaxes);
-  speeds_up_ = drag_counts_;
-  for (const HeldWrench& held : system_.held) speeds_up_ |= !held.torqueFree();
-  workspace_.wrenches_current = false;
-  solved_.reset();
 }
 
 /// Evaluates the solution at t_end, anchored anew where a series ends and, after an event, at t.
 template <class Meter>
 void Group::solve(double t, double t_end, double next_event, Meter& meter) {
-  constexpr int kMostSegments = 1000000;
-  const Body& body = *system_.bodies[0];
-  const HeldWrench& held = system_.held[0];
-  if (!solved_) solved_.emplace(body, held, system_.g_W, t, states_[0], next_event - t, bound_);
-  for (int segments = 0; !(solved_->validUntil() >= t_end); ++segments) {
-    const double t_valid = solved_->validUntil();
-    if (solved_->isFree())
-      throw StepTooLong(
-          "it has turned 1e15 rad since its last event, and no longer is its attitude "
-          "known to 1e-4 rad");
-    if (!(t_valid > t) || segments == kMostSegments)
-      throw StepTooLong("the motion is too fast to be followed");
-    meter.solved(system_, *solved_, t, t_valid);
-    states_[0] = solved_->at(t_valid);
-    t = t_valid;
-    solved_->anchorAnew(body, held, system_.g_W, t, states_[0], next_event - t, bound_);
+  if (!solved_) {
+    keepMotion();
+    solved_.emplace(problem(), t, next_.bodies[0], next_event);
+    anchored_until_ = next_event;
+  } else if (!(solved_->validUntil() >= t_end)) {
+    keepMotion();
+    anchored_until_ = next_event;
   }
-  meter.solved(system_, *solved_, t, t_end);
-  states_[0] = solved_->at(t_end);
+  followSolved(problem(), t, t_end, next_event, *solved_,
+               [&](const SolvedMotion& motion, double from, double to) {
+                 if constexpr (!std::is_same_v<Meter, NoMeter>)
+                   meter(MotionPiece(system_, motion, from, to));
+               });
+  next_.bodies[0] = solved_->at(t_end);
 }
 
-double Group::partsNeeded(double h, const std::vector<BodyState>& bodies) {
-  for (std::size_t k = 0; k < members_.size(); ++k) states_[k] = bodies[members_[k]];
-  return std::ceil(h * fastestRate(h) / (choice_.method->most_turn * choice_.most_turn_share));
+/// Before the motion changes for the first time in a step.
+void Group::keepMotion() {
+  if (kept_) return;
+  kept_ = Kept{std::nullopt, anchored_until_};
+  if (solved_) kept_->anchor = solved_->anchor();
 }
 
-/// What the estimate of a step of h may reach, the motion changing at a rate: errors of attitude
-/// add up over the steps to the horizon; errors of momenta, relative, grow by the angle turned by
-/// then; those of a body at rest, by the time. At twice the step, in the run that tells the error,
-/// it is what leaves as many parts: an estimate of order 8 grows 2⁹-fold over a step twice as long.
-StepBound Group::stepBound(double h, double rate) const {
-  constexpr double kRounding = 1e-14;  // some ten roundings of a step that turns by a radian
-  const double share = h / promise_.horizon, turned = std::max(1.0, rate * promise_.horizon);
-  const double doubled = std::pow(choice_.most_turn_share, 8);
-  const StepBound follows;
-  return {std::clamp(promise_.attitude * share / turned * doubled, kRounding, follows.error),
-          std::min(promise_.attitude * share * share * doubled / choice_.most_turn_share,
-                   follows.idle)};
+void Group::accept(double t_end) {
+  t_ = t_end;
+  std::swap(present_, next_);
+  kept_.reset();
 }
 
-/// [1/s] What turns, swings or decays fastest within a step of h.
-double Group::fastestRate(double h) const {
-  double fastest = law_rate_;
-  for (std::size_t k = 0; k < states_.size(); ++k)
-    fastest = std::max(fastest, angularVelocity(system_.bodies[k]->inv_I, states_[k].L_P).norm());
-  for (const auto& law : system_.laws)
-    fastest = std::max(fastest, law->rate({system_.bodies, states_}));
-  return speeds_up_ ? std::max(fastest, rateBroughtAbout(h)) : fastest;
-}
-
-/// [1/s] What torques may spin a body up to within h, and the decay by drag at the speed that
-/// steady forces may bring about: quadratic drag grows with it.
-double Group::rateBroughtAbout(double h) const {
-  double fastest = 0;
-  for (std::size_t k = 0; k < states_.size(); ++k) {
-    const Body& body = *system_.bodies[k];
-    const HeldWrench& held = system_.held[k];
-    const Wrench wrench = held.at(states_[k]);
-    const Vector3d L_dot_P = rotateBack(states_[k].q_WP, wrench.tau_W) + wrench.tau_P;
-    const Vector3d w_end_P = angularVelocity(body.inv_I, Vector3d(states_[k].L_P + h * L_dot_P));
-    fastest = std::max(fastest, w_end_P.norm());
-    if (!drag_counts_) continue;
-    const double push = body.mass * system_.g_W.norm() + held.f_W.norm() + held.f_P.norm();
-    fastest = std::max(fastest, dragRate(body, (states_[k].p_W.norm() + h * push) / body.mass));
-  }
-  return fastest;
-}
-
-/// One step of the method, or as many as it takes for it to follow what is fastest.
-template <class Meter>
-void Group::stepInParts(double h, Meter& meter) {
-  const Method& method = *choice_.method;
-  const double turn = h * fastestRate(h);
-  const double needed = std::ceil(turn / (method.most_turn * choice_.most_turn_share));
-  const double parts = std::max<double>(choice_.parts, needed);
-  constexpr double kMostParts = 1e5;
-  if (!(parts <= kMostParts)) {
-    std::ostringstream reason;
-    reason << "a step spans " << turn << " rad of its turning, swinging or slowing down, more than "
-           << method.name << " follows in " << kMostParts << " parts";
-    throw StepTooLong(reason.str());
-  }
-  if (choice_.controlled) workspace_.step_bound = stepBound(h / parts, turn / h);
-  if (needed > choice_.parts) most_parts_ = std::max(most_parts_, static_cast<int>(needed));
-  for (int k = 0; k < static_cast<int>(parts); ++k) {
-    meter.step(method, system_, h / parts, states_);
-    method.step(system_, h / parts, states_, workspace_);
-  }
+void Group::rollBack(const std::vector<WrenchSchedule>& schedules) {
+  gatherWrenches(schedules);
+  if (!kept_) return;
+  solved_.reset();
+  if (kept_->anchor)
+    solved_.emplace(problem(), kept_->anchor->t, kept_->anchor->state, kept_->next_event);
+  anchored_until_ = kept_->next_event;
+  kept_.reset();
 }
 
 }  // namespace rigid_body_sim

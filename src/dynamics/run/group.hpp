@@ -5,99 +5,110 @@
 
 #include <rigid_body_sim/dynamics/world.hpp>
 
-#include "dynamics/run/choose_method.hpp"
-#include "dynamics/run/exchange_meter.hpp"
-#include "dynamics/run/solved_motion.hpp"
+#include "dynamics/run/coupling.hpp"
+#include "dynamics/run/stepper.hpp"
 #include "dynamics/wrenches/wrench_schedule.hpp"
 
 namespace rigid_body_sim {
 
 /// Bodies that act on one another, advanced together: solved where that is possible and asked for,
-/// else stepped by a method.
+/// else stepped by an integrator. Its motion is a sequence of pieces (MotionPiece).
+///
+/// A step is a transaction: advance() leaves the present alone until accept(); rollBack() forgets
+/// it.
 class Group {
  public:
-  /// Where the motion is to be solved, one body without laws or drag. The world must outlive the
+  /// start: the states of the members at t; law_states: State::laws. The world must outlive the
   /// group and its copies.
-  Group(const World& world, const CoupledBodies& bodies, unsigned needs,
-        const MethodChoice& choice);
+  Group(const World& world, const LawTable& laws, const CoupledBodies& bodies,
+        const MethodChoice& choice, double t, std::vector<BodyState> start,
+        const std::vector<double>& law_states, const std::vector<WrenchSchedule>& schedules);
 
-  /// What a method must accept to advance it (Need).
-  unsigned needs() const { return needs_; }
+  /// Anchors a solved motion where it was anchored before; then the same bits follow.
+  void anchor(const MotionAnchor& anchor, const std::vector<WrenchSchedule>& schedules);
 
-  const MethodChoice& choice() const { return choice_; }
-  const std::vector<std::size_t>& members() const { return members_; }
+  const std::vector<std::size_t>& members() const { return bodies_.members; }
+  const CoupledBodies& bodies() const { return bodies_; }
+  double time() const { return t_; }  ///< [s] of present()
+  const MethodChoice& choice() const { return stepper_ ? stepper_->choice() : solved_choice_; }
+  int maxSubsteps() const { return stepper_ ? stepper_->maxSubsteps() : 1; }
+  std::int64_t evaluations() const { return stepper_ ? stepper_->evaluations() : 0; }
+  double substepsNeeded(double h) const { return stepper_->substepsNeeded(system_, h, present_); }
 
-  /// [s] Up to, but without, this time nothing starts or ends, nothing is to be advanced and
-  /// nothing can fail: putForeseen() tells the state. Minus infinity where there is no solution
-  /// yet.
-  double foreseenUntil(const std::vector<WrenchSchedule>& schedules) const;
+  /// [s] First time at which the group must be advanced; −∞ if its motion is not solved yet.
+  double knownUntil(const std::vector<WrenchSchedule>& schedules) const;
 
-  /// Writes the foreseen state at t < foreseenUntil() among those of all bodies.
-  void putForeseen(double t, std::vector<BodyState>& bodies) const;
+  /// The state of member k at a time t from the present to knownUntil().
+  BodyState at(double t, std::size_t k) const;
 
-  /// To be called when the motion is no longer the one on which the choice was tried, because a
-  /// message, say, changes it: a choice that was tried gives way to controlledChoice(). A wrench of
-  /// the schedule that starts or ends after the trial's end does the same by itself, and so does
-  /// the end of a trial that was cut short.
-  void distrustTrial();
+  /// Writes the laws' own states at present among those of all laws.
+  void putLawStates(const LawTable& table, std::vector<double>& law_states) const;
 
-  /// Takes what starts and ends at time t into account; to be called after every change of the
-  /// schedules or states from outside. schedules: one per body of the world.
-  void restart(double t, std::vector<WrenchSchedule>& schedules);
+  /// Where a solved motion is anchored; else the present.
+  MotionAnchor anchorOf(std::size_t k) const;
 
-  /// Advances the members from t, where theirs are among the states of all bodies, to t_end, split
-  /// at every instant at which a wrench starts or ends: to states(). Throws StepTooLong.
+  void fallBackToErrorControl();
+
+  /// Takes over at time t, the present, what the schedules say from there on.
+  void restart(double t, const std::vector<WrenchSchedule>& schedules);
+
+  /// Sets the present state of member k.
+  void setState(std::size_t k, const BodyState& state);
+
+  /// Advances from t, the present, to t_end, split at every instant at which a wrench starts or
+  /// ends and at the events of laws. Throws StepTooLong.
+  void advance(double t, double t_end, std::vector<WrenchSchedule>& schedules);
   void advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-               const std::vector<BodyState>& bodies);
+               ExchangeMeter& meter);
 
-  /// The same, metered.
-  void advance(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-               const std::vector<BodyState>& bodies, ExchangeMeter& meter);
+  /// Where the last accept() has led to, in the order of members(); of a solved motion it may be
+  /// older than the present.
+  const SystemState& present() const { return present_; }
 
-  /// The members' states where they were last advanced to, in the order of members().
-  const std::vector<BodyState>& states() const { return states_; }
+  /// Where the last advance() has led to, in the order of members().
+  const SystemState& advanced() const { return next_; }
 
-  /// Writes them among those of all bodies.
-  void putStates(std::vector<BodyState>& bodies) const;
+  /// Whether a law switched its mode in the last advance(): groups may have to be formed anew.
+  bool switchedModes() const { return switched_; }
 
-  /// The parts in which a step of h must at least be taken for the method to follow what turns,
-  /// swings or decays at the present states of all bodies.
-  double partsNeeded(double h, const std::vector<BodyState>& bodies);
+  void accept(double t_end);
 
-  /// The most parts that a step was taken in so far, because something turned, swung or decayed
-  /// faster than the method follows in one; 1 when none was.
-  int mostParts() const { return most_parts_; }
-
-  /// Evaluations of all wrenches so far.
-  std::int64_t evaluations() const { return workspace_.evaluations; }
+  /// schedules: taken back already.
+  void rollBack(const std::vector<WrenchSchedule>& schedules);
 
  private:
+  void addLaws(const World& world, const CoupledBodies& bodies, const LawTable& table,
+               const std::vector<double>& law_states);
   std::size_t localIndex(std::size_t body) const;
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
+  double nextEvent(const std::vector<WrenchSchedule>& schedules) const;
+  SolvedProblem problem() const {
+    return {*system_.bodies[0], system_.held[0], system_.g_W, bound_};
+  }
   template <class Meter>
-  void advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules,
-                      const std::vector<BodyState>& bodies, Meter& meter);
+  void advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules, Meter& meter);
   template <class Meter>
   void solve(double t, double t_end, double next_event, Meter& meter);
-  StepBound stepBound(double h, double rate) const;
-  double fastestRate(double h) const;
-  double rateBroughtAbout(double h) const;
-  template <class Meter>
-  void stepInParts(double h, Meter& meter);
+  void keepMotion();
 
-  std::vector<std::size_t> members_;
-  unsigned needs_;
-  MethodChoice choice_;
+  CoupledBodies bodies_;
+  std::vector<std::size_t> stateful_laws_;  // indices in the world, in the order of the system's
   System system_;
-  Workspace workspace_;
-  std::vector<BodyState> states_;
+  double t_;             // [s] of present_
+  SystemState present_;  // of a solved motion: at its anchor, or later
+  SystemState next_;
+  std::optional<Stepper> stepper_;      // none where the motion is solved
+  MethodChoice solved_choice_;          // likewise
   std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
-  ErrorBound bound_;                    // of a solved motion; none: to rounding
-  ErrorBound promise_;                  // what auto holds of a stepped one
-  bool drag_counts_ = false;            // whether the method must follow the decay by drag
-  bool speeds_up_ = false;              // whether that or torques bring rates about
-  double law_rate_ = 0;                 // [1/s] the fastest that laws bring about at any state
-  int most_parts_ = 1;
+  /// The motion as a step found it, once it has changed that: its anchor, or none.
+  struct Kept {
+    std::optional<MotionAnchor> anchor;
+    double next_event;
+  };
+  std::optional<Kept> kept_;
+  double anchored_until_ = 0;  // [s] the horizon of the present anchor
+  ErrorBound bound_;           // of a solved motion; none: to rounding
+  bool switched_ = false;
 };
 
 }  // namespace rigid_body_sim

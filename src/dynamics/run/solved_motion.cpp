@@ -21,47 +21,55 @@ bool isModest(const BodyState& state) {
 }
 
 bool isModest(const HeldWrench& wrench) {
-  const auto lever = [](const HeldWrench::Lever& l) {
+  const auto lever = [](const HeldWrench::BodyPointForce& l) {
     return isModest(l.arm_P) && isModest(l.force_W);
   };
-  const auto pull = [](const HeldWrench::Pull& p) {
+  const auto pull = [](const HeldWrench::WorldPointForce& p) {
     return isModest(p.point_W) && isModest(p.force_W);
   };
   return isModest(wrench.f_W) && isModest(wrench.tau_W) && isModest(wrench.f_P) &&
-         isModest(wrench.tau_P) && std::all_of(wrench.levers.begin(), wrench.levers.end(), lever) &&
-         std::all_of(wrench.pulls.begin(), wrench.pulls.end(), pull);
+         isModest(wrench.tau_P) &&
+         std::all_of(wrench.body_point_forces.begin(), wrench.body_point_forces.end(), lever) &&
+         std::all_of(wrench.world_point_forces.begin(), wrench.world_point_forces.end(), pull);
 }
 
 }  // namespace
 
-SolvedMotion::SolvedMotion(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
-                           double t, const BodyState& state, double horizon,
-                           const ErrorBound& bound)
-    : anchor_(t),
-      modest_(isModest(body) && isModest(wrench) && isModest(g_W)),
-      motion_(TaylorPointer()) {
-  if (wrench.torqueFree()) {
-    // [rad] the angle is reduced in 64 bits, 5e-20 of it: beyond, 1e-4 rad are lost
-    constexpr double kMostTurn = 1e15;
-    motion_ = FreeFlight(body, wrench.f_W + body.mass * g_W, state);
-    valid_until_ = t + kMostTurn / angularVelocity(body.inv_I, state.L_P).stableNorm();
-  } else {
-    motion_ = std::make_shared<TaylorSegment>(body, wrench, g_W, state, horizon, bound);
-    valid_until_ = t + std::get<TaylorPointer>(motion_)->validFor();
-  }
+SolvedMotion::Motion SolvedMotion::solve(const SolvedProblem& p, const BodyState& state,
+                                         double duration) {
+  if (p.wrench.torqueFree()) return FreeFlight(p.body, p.wrench.f_W + p.body.mass * p.g_W, state);
+  return Series(std::in_place, p.body, p.wrench, p.g_W, state, duration, p.bound);
 }
 
-void SolvedMotion::anchorAnew(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
-                              double t, const BodyState& state, double horizon,
-                              const ErrorBound& bound) {
-  const auto* segment = std::get_if<TaylorPointer>(&motion_);
-  if (!segment || wrench.torqueFree() || segment->use_count() > 1) {
-    *this = SolvedMotion(body, wrench, g_W, t, state, horizon, bound);
+SolvedMotion::SolvedMotion(const SolvedProblem& problem, double t, const BodyState& state,
+                           double horizon)
+    : anchor_(t),
+      modest_(isModest(problem.body) && isModest(problem.wrench) && isModest(problem.g_W)),
+      motion_(solve(problem, state, horizon - t)) {
+  if (const auto* series = std::get_if<Series>(&motion_)) {
+    valid_until_ = t + (*series)->validFor();
     return;
   }
-  (*segment)->startAnew(wrench, state, horizon);
+  // [rad] the angle is reduced in 64 bits, 5e-20 of it: beyond, 1e-4 rad are lost
+  constexpr double kMaxTurn = 1e15;
+  valid_until_ = t + kMaxTurn / angularVelocity(problem.body.inv_I, state.L_P).stableNorm();
+}
+
+void SolvedMotion::anchorAnew(const SolvedProblem& same_problem, double t, const BodyState& state,
+                              double horizon) {
+  auto* series = std::get_if<Series>(&motion_);
+  if (!series) {
+    *this = SolvedMotion(same_problem, t, state, horizon);
+    return;
+  }
+  (*series)->startAnew(same_problem.wrench, state, horizon - t);
   anchor_ = t;
-  valid_until_ = t + (*segment)->validFor();
+  valid_until_ = t + (*series)->validFor();
+}
+
+MotionAnchor SolvedMotion::anchor() const {
+  if (const auto* series = std::get_if<Series>(&motion_)) return {anchor_, (*series)->start()};
+  return {anchor_, std::get<FreeFlight>(motion_).start()};
 }
 
 double SolvedMotion::finiteUntil(const BodyState& state) const {
@@ -70,7 +78,7 @@ double SolvedMotion::finiteUntil(const BodyState& state) const {
 
 BodyState SolvedMotion::at(double t) const {
   const double dt = t - anchor_;
-  if (const auto* segment = std::get_if<TaylorPointer>(&motion_)) return (*segment)->at(dt);
+  if (const auto* series = std::get_if<Series>(&motion_)) return (*series)->at(dt);
   return std::get<FreeFlight>(motion_).at(dt);
 }
 

@@ -1,30 +1,41 @@
 #pragma once
 
-#include <memory>
 #include <variant>
 
+#include "dynamics/methods/step_too_long.hpp"
 #include "dynamics/rotation/free_flight.hpp"
+#include "dynamics/run/boxed.hpp"
 #include "dynamics/taylor/taylor_segment.hpp"
 
 namespace rigid_body_sim {
 
-/// The motion of one body under wrenches that are constant in the world or in the body, solved from
-/// an anchor on: a free flight where there is no torque, else a Taylor segment.
+/// What the motion of one body is solved for: constant in the world or in the body.
+struct SolvedProblem {
+  const Body& body;
+  const HeldWrench& wrench;
+  const Vector3d& g_W;  ///< [m/s²]
+  ErrorBound bound;     ///< none: to rounding
+};
+
+/// The motion of one body, solved from an anchor on: a free flight where there is no torque, else a
+/// Taylor segment.
 class SolvedMotion {
  public:
-  /// Anchors the motion at a state of time t [s]; it is not asked for beyond t + horizon.
-  SolvedMotion(const Body& body, const HeldWrench& wrench, const Vector3d& g_W, double t,
-               const BodyState& state, double horizon, const ErrorBound& bound = {});
+  /// Anchors the motion at a state of time t [s]; it is not asked for beyond `horizon` [s].
+  SolvedMotion(const SolvedProblem& problem, double t, const BodyState& state, double horizon);
 
-  /// Anchors the motion at another state, as if made anew. What copies of it tell stays.
-  void anchorAnew(const Body& body, const HeldWrench& wrench, const Vector3d& g_W, double t,
-                  const BodyState& state, double horizon, const ErrorBound& bound);
+  /// Anchors the motion at another state, as if made anew.
+  void anchorAnew(const SolvedProblem& same_problem, double t, const BodyState& state,
+                  double horizon);
+
+  /// Where it is anchored.
+  MotionAnchor anchor() const;
 
   /// [s] the time up to which the solution holds; NaN where the motion is not finite.
   double validUntil() const { return valid_until_; }
 
-  /// [s] the time up to which, moreover, all of it is finite for certain, by one of its states; the
-  /// anchor where the numbers are so large that only evaluation tells.
+  /// [s] Time up to which the solution is guaranteed finite, by one of its states; the anchor where
+  /// the numbers are so large that only evaluation shows it.
   double finiteUntil(const BodyState& state) const;
 
   /// Whether the body turns freely: then another anchor at validUntil() would not help it.
@@ -34,12 +45,34 @@ class SolvedMotion {
   BodyState at(double t) const;
 
  private:
-  using TaylorPointer = std::shared_ptr<TaylorSegment>;  // changed only while no copy shares it
+  using Series = Boxed<TaylorSegment>;
+  using Motion = std::variant<FreeFlight, Series>;
+  static Motion solve(const SolvedProblem& problem, const BodyState& state, double duration);
 
   double anchor_;
-  double valid_until_;
+  double valid_until_ = 0;
   bool modest_;  // whether body and wrench are far from what overflows
-  std::variant<FreeFlight, TaylorPointer> motion_;
+  Motion motion_;
 };
+
+/// Follows a motion from t, where it holds, to t_end: visit(motion, from, to) for each piece, each
+/// with an anchor of its own. Afterwards the motion holds at t_end. Throws StepTooLong.
+template <class Visit>
+void followSolved(const SolvedProblem& problem, double t, double t_end, double horizon,
+                  SolvedMotion& motion, const Visit& visit) {
+  constexpr int kMaxSegments = 1000000;
+  for (int segments = 0; !(motion.validUntil() >= t_end); ++segments) {
+    const double t_valid = motion.validUntil();
+    if (motion.isFree())
+      throw StepTooLong(
+          "it has turned 1e15 rad since its last event: attitude no longer known to 1e-4 rad");
+    if (!(t_valid > t) || segments == kMaxSegments)
+      throw StepTooLong("the motion is too fast to be followed");
+    visit(motion, t, t_valid);
+    motion.anchorAnew(problem, t_valid, motion.at(t_valid), horizon);
+    t = t_valid;
+  }
+  visit(motion, t, t_end);
+}
 
 }  // namespace rigid_body_sim

@@ -5,6 +5,7 @@
 
 #include "dynamics/taylor/taylor_recursion.hpp"
 #include "dynamics/taylor/taylor_terms.hpp"
+#include "math/two_sum.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -100,11 +101,12 @@ TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, co
       tau_P_(wrench.tau_P.template cast<T>()),
       moments_(Matrix3<T>::Zero()),
       body_force_(!wrench.f_P.isZero(0)),
-      body_torque_(!wrench.tau_P.isZero(0) || !wrench.levers.empty() || !wrench.pulls.empty()),
-      pulled_(!wrench.pulls.empty()),
+      body_torque_(!wrench.tau_P.isZero(0) || !wrench.body_point_forces.empty() ||
+                   !wrench.world_point_forces.empty()),
+      pulled_(!wrench.world_point_forces.empty()),
       turned_(body_force_ || body_torque_ || !tau_W_.isZero(0)) {
-  for (const HeldWrench::Lever& lever : wrench.levers)
-    moments_ += lever.arm_P.template cast<T>() * lever.force_W.template cast<T>().transpose();
+  for (const HeldWrench::BodyPointForce& force : wrench.body_point_forces)
+    moments_ += force.arm_P.template cast<T>() * force.force_W.template cast<T>().transpose();
   if (!pulled_) setUpEquations();
   startAnew(wrench, start, horizon);
 }
@@ -167,7 +169,7 @@ template <class T>
 void TaylorSegmentT<T>::setUpPull(const HeldWrench& wrench) {
   tau_W_ = wrench.tau_W.template cast<T>();
   Vector3<T> pull_W = Vector3<T>::Zero();
-  for (const HeldWrench::Pull& pull : wrench.pulls) {
+  for (const HeldWrench::WorldPointForce& pull : wrench.world_point_forces) {
     const Vector3<T> force_W = pull.force_W.template cast<T>();
     pull_W += force_W;
     tau_W_ += ((pull.point_W.template cast<T>() - start_.x_W) - start_.x_low_W).cross(force_W);
@@ -234,10 +236,7 @@ BodyStateT<T> TaylorSegmentT<T>::at(T dt) const {
   }
   state.L_W = start_.L_W + dL;
   state.p_W = start_.p_W + dp;
-  const Vector3<T> low = start_.x_low_W + dx;
-  state.x_W = start_.x_W + low;
-  const Vector3<T> part = state.x_W - start_.x_W;
-  state.x_low_W = (start_.x_W - (state.x_W - part)) + (low - part);
+  state.x_W = twoSum(start_.x_W, Vector3<T>(start_.x_low_W + dx), state.x_low_W);
   return state;
 }
 

@@ -42,6 +42,8 @@ class TaylorSegmentT {
   /// the start need not be found again.
   void startAnew(const HeldWrench& same_wrench, const BodyStateT<T>& start, T horizon);
 
+  const BodyStateT<T>& start() const { return start_; }
+
   /// [s] How long after its start the series holds. Infinite where the body does not turn; NaN
   /// where the motion is not finite.
   T validFor() const { return valid_for_; }
@@ -97,10 +99,10 @@ using TaylorSegment = TaylorSegmentT<double>;
 template <class T>
 BodyStateT<T> advanceTaylor(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
                             BodyStateT<T> state, T duration, const ErrorBound& bound = {}) {
-  constexpr int kMostSegments = 1000000;
+  constexpr int kMaxSegments = 1000000;
   T left = duration;
   TaylorSegmentT<T> segment(body, wrench, g_W, state, left, bound);
-  for (int count = 0; count < kMostSegments; ++count) {
+  for (int count = 0; count < kMaxSegments; ++count) {
     if (!(segment.validFor() < left)) return segment.at(left);
     state = segment.at(segment.validFor());
     left -= segment.validFor();

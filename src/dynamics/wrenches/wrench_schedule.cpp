@@ -1,10 +1,32 @@
 #include "dynamics/wrenches/wrench_schedule.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigid_body_sim {
 
+PointWrench onSteps(PointWrench wrench, double h) {
+  const auto onStep = [h](double t) {
+    const double step = std::round(t / h) * h;
+    return std::abs(t - step) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(step) ? step
+                                                                                             : t;
+  };
+  const double duration = wrench.end - wrench.start;
+  const double start = onStep(wrench.start), end = onStep(wrench.end);
+  if (!(end > start)) return wrench;  // shorter than what is rounding there
+  const double share = (end - start) / duration;
+  if (std::abs(share - 1) > kImpulseRounding) {
+    wrench.force /= share;
+    wrench.torque /= share;
+  }
+  wrench.start = start;
+  wrench.end = end;
+  return wrench;
+}
+
 void WrenchSchedule::put(const std::string& slot, PointWrench wrench, double now) {
+  if (wrench.axes == kOwnBody) wrench.axes = wrench.body;
+  if (wrench.point_frame == kOwnBody) wrench.point_frame = wrench.body;
   if (wrench.start < now) {
     wrench.end += now - wrench.start;
     wrench.start = now;
@@ -18,6 +40,7 @@ void WrenchSchedule::put(const std::string& slot, PointWrench wrench, double now
       it = same && it->second.wrench.end <= it->first ? pending_.erase(it) : std::next(it);
     }
   }
+  couples_ |= !HeldWrench::holds(wrench);
   if (wrench.end > wrench.start) pending_.emplace(wrench.start, Pending{slot, wrench});
   findNextEvent();
 }
@@ -27,6 +50,7 @@ bool WrenchSchedule::clear() {
   active_.clear();
   active_slots_.clear();
   pending_.clear();
+  couples_ = false;
   findNextEvent();
   return any;
 }
@@ -87,28 +111,45 @@ void WrenchSchedule::takeBack() {
 void WrenchSchedule::accept() { before_.reset(); }
 
 bool WrenchSchedule::allHeld() const {
-  return std::all_of(active_.begin(), active_.end(), HeldWrench::holds) &&
-         std::all_of(pending_.begin(), pending_.end(),
-                     [](const auto& entry) { return HeldWrench::holds(entry.second.wrench); });
+  return std::all_of(active_.begin(), active_.end(), HeldWrench::holds);
 }
 
-std::vector<std::size_t> WrenchSchedule::bodies() const {
-  std::vector<std::size_t> bodies;
+double WrenchSchedule::nextLink(const std::vector<std::size_t>& bodies) const {
+  const auto isOutside = [&bodies](std::size_t frame) {
+    return frame != kWorld && !std::binary_search(bodies.begin(), bodies.end(), frame);
+  };
+  if (couples_)
+    for (const auto& [start, pending] : pending_)
+      if (isOutside(pending.wrench.axes) || isOutside(pending.wrench.point_frame)) return start;
+  return std::numeric_limits<double>::infinity();
+}
+
+void WrenchSchedule::addLinked(double t, std::vector<std::size_t>& bodies) const {
   const auto add = [&bodies](const PointWrench& wrench) {
     for (std::size_t body : {wrench.body, wrench.axes, wrench.point_frame})
       if (body != kWorld) bodies.push_back(body);
   };
-  for (const PointWrench& wrench : active_) add(wrench);
-  for (const auto& [start, pending] : pending_) add(pending.wrench);
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  return bodies;
+  for (const PointWrench& wrench : active_)
+    if (!HeldWrench::holds(wrench)) add(wrench);
+  for (const auto& [start, pending] : pending_) {
+    if (start > t) break;
+    if (!HeldWrench::holds(pending.wrench)) add(pending.wrench);
+  }
 }
 
 void WrenchSchedule::findNextEvent() {
-  next_event_ = std::numeric_limits<double>::infinity();
-  for (const PointWrench& wrench : active_) next_event_ = std::min(next_event_, wrench.end);
+  next_event_ = next_coupling_ = std::numeric_limits<double>::infinity();
+  for (const PointWrench& wrench : active_) {
+    next_event_ = std::min(next_event_, wrench.end);
+    if (!HeldWrench::holds(wrench)) next_coupling_ = std::min(next_coupling_, wrench.end);
+  }
   if (!pending_.empty()) next_event_ = std::min(next_event_, pending_.begin()->first);
+  if (!couples_) return;
+  for (const auto& [start, pending] : pending_) {
+    if (HeldWrench::holds(pending.wrench)) continue;
+    next_coupling_ = std::min(next_coupling_, start);
+    return;
+  }
 }
 
 }  // namespace rigid_body_sim

@@ -11,6 +11,11 @@
 
 namespace rigid_body_sim {
 
+/// The wrench with a start or end that misses the end of a step of h [s] by rounding moved there:
+/// 0.1 s + 0.2 s is 300 steps of 1 ms, and not a step that is split 6e-17 s after its start. So
+/// short a wrench that this would change its impulse keeps it.
+PointWrench onSteps(PointWrench wrench, double h);
+
 /// The wrenches applied to one body: those that act, and those to come in order of their start.
 class WrenchSchedule {
  public:
@@ -30,24 +35,31 @@ class WrenchSchedule {
   /// that changed what acts.
   bool advanceTo(double t);
 
-  /// From now on it is kept in mind what advanceTo changes, until that is taken back or accepted;
-  /// nothing else may change it meanwhile.
+  /// Starts a transaction: takeBack rolls back what advanceTo changes, accept commits it; nothing
+  /// else may change the schedule meanwhile.
   void beginStep();
+  bool isInStep() const { return before_.has_value(); }
   void takeBack();
   void accept();
 
   /// [s] the next instant at which advanceTo changes something; infinity when none is to come.
   double nextEvent() const { return next_event_; }
 
+  /// [s] the next of these instants that concerns a wrench which HeldWrench does not hold: bodies
+  /// are linked or parted there.
+  double nextCoupling() const { return next_coupling_; }
+
+  /// [s] when a wrench first begins to link its body with one that is not among these, ascending.
+  double nextLink(const std::vector<std::size_t>& bodies) const;
+
+  /// Adds the bodies that wrenches link which start or end by time t; and those linked now.
+  void addLinked(double t, std::vector<std::size_t>& bodies) const;
+
   const std::vector<PointWrench>& active() const { return active_; }
   std::size_t size() const { return active_.size() + pending_.size(); }
 
-  /// Whether all, acting or to come, depend on the motion of their own body only
-  /// (HeldWrench::holds).
+  /// Whether all that act depend on the motion of their own body only (HeldWrench::holds).
   bool allHeld() const;
-
-  /// The bodies, acted on or turned with, of all wrenches that act or are to come.
-  std::vector<std::size_t> bodies() const;
 
  private:
   struct Pending {
@@ -67,6 +79,8 @@ class WrenchSchedule {
   std::multimap<double, Pending> pending_;  // by start
   std::optional<Before> before_;            // within a step
   double next_event_ = std::numeric_limits<double>::infinity();
+  bool couples_ = false;  // whether any, since all were cleared, was not held
+  double next_coupling_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace rigid_body_sim

@@ -69,7 +69,7 @@ std::string Mouse::drag(Hold& hold, const Feedback& feedback) {
   MouseSpring spring = hold.spring;
   spring.goal_W =
       hold.poses.at(feedback.header.stamp) * (hold.point_B + fromPoint(feedback.pose.position));
-  if (!isFinite(pullOf(spring, simulation_.world().bodies[body], simulation_.state().bodies[body],
+  if (!isFinite(pullOf(spring, simulation_.world().bodies[body], simulation_.body(body),
                        simulation_.world().solver.time_step)))
     return "feedback on handle '" + feedback.marker_name + "' must make a finite pull";
   hold.spring = spring;
@@ -93,7 +93,7 @@ std::string Mouse::pull(Hold& hold) {
   const World& world = simulation_.world();
   note(hold);
   if (simulation_.time() >= hold.until) return "";
-  PointWrench pull = pullOf(hold.spring, world.bodies[body], simulation_.state().bodies[body],
+  PointWrench pull = pullOf(hold.spring, world.bodies[body], simulation_.body(body),
                             world.solver.time_step);
   pull.start = simulation_.time();
   pull.end = hold.until;
@@ -120,7 +120,7 @@ void Mouse::release(std::size_t body) {
 void Mouse::note(Hold& hold) const {
   const std::size_t body = hold.spring.body;
   const BodyFrameMotion motion =
-      toBodyFrameMotion(simulation_.world().bodies[body], simulation_.state().bodies[body]);
+      toBodyFrameMotion(simulation_.world().bodies[body], simulation_.body(body));
   hold.poses.add(inputs_.stamp(), isometry(motion.q_WB, motion.x_W));
 }
 

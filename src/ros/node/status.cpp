@@ -37,18 +37,21 @@ void addFigures(const Simulation& simulation, SimStatus& status) {
     status.attitude_error = simulation.errorEstimate().attitude;
     status.position_error = simulation.errorEstimate().position;
   }
-  status.most_parts = static_cast<std::uint32_t>(simulation.mostParts());
+  status.most_parts = static_cast<std::uint32_t>(simulation.maxSubsteps());
 }
 
 bool isWithinTolerance(const ErrorEstimate& error, double time, const SolverOptions& solver) {
   return solver.integrator != "auto" || time > solver.horizon || error.attitude <= solver.tolerance;
 }
 
+bool holdsByTrials(const std::vector<MotionPlan>& plans) {
+  return std::all_of(plans.begin(), plans.end(), [](const MotionPlan& plan) { return plan.holds; });
+}
+
 bool holdsTolerance(const Simulation& simulation) {
   return isWithinTolerance(simulation.errorEstimate(), simulation.time(),
                            simulation.world().solver) &&
-         std::all_of(simulation.groups().begin(), simulation.groups().end(),
-                     [](const Group& group) { return group.choice().holds; });
+         holdsByTrials(simulation.plans());
 }
 
 void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper& diagnostic) {

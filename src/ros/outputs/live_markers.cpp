@@ -90,7 +90,7 @@ void LiveMarkers::deleteEnded(const std::map<std::string, int>& shown, MarkerArr
 
 void LiveMarkers::addTrails(MarkerArray& all) {
   for (auto& [body, trail] : trails_) {
-    const std::optional<Marker> strip = trail.add(simulation_.state().bodies[body].x_W);
+    const std::optional<Marker> strip = trail.add(simulation_.body(body).x_W);
     if (strip) all.markers.push_back(*strip);
   }
 }

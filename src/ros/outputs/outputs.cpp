@@ -38,8 +38,7 @@ void Outputs::publishOnce(const Scene& scene) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
     if (body.fixed)
-      frames.transforms.push_back(
-          toTransform(body, simulation_.state().bodies[i], world_frame_, stamp));
+      frames.transforms.push_back(toTransform(body, simulation_.body(i), world_frame_, stamp));
     for (const PointDef& point : scene.bodies[i].points)
       frames.transforms.push_back(toTransform(isometry(point.orientation, point.position),
                                               body.name, body.name + "/" + point.name, stamp));
@@ -105,14 +104,13 @@ void Outputs::publishTransforms(const ros::Time& stamp) {
   frames.transforms.reserve(topics_.bodies.size());
   for (const BodyTopics& topics : topics_.bodies)
     frames.transforms.push_back(toTransform(simulation_.world().bodies[topics.body],
-                                            simulation_.state().bodies[topics.body], world_frame_,
-                                            stamp));
+                                            simulation_.body(topics.body), world_frame_, stamp));
   topics_.tf.publish(frames, stamp);
 }
 
 void Outputs::publishBody(const BodyTopics& topics, const ros::Time& stamp) {
   const Body& body = simulation_.world().bodies[topics.body];
-  const BodyState& state = simulation_.state().bodies[topics.body];
+  const BodyState& state = simulation_.body(topics.body);
   if (topics.odometry.heard())
     topics.odometry.publish(toOdometry(body, state, world_frame_, stamp), stamp);
   if (topics.applied_wrench.heard())

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
+#include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/dynamics/spring.hpp>
 #include <rigid_body_sim/scene/scene_error.hpp>
 
@@ -27,6 +28,9 @@ class LawBuilder {
       std::visit([this](const auto& def) { add(def); }, force.law);
       ++index_;
     }
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (scene_.bodies[i].drag.any() && !bodies_[i].fixed)
+        laws_.push_back(std::make_shared<Drag>(i, scene_.bodies[i].drag));
     return std::move(laws_);
   }
 

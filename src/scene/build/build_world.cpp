@@ -14,7 +14,6 @@ namespace {
 
 Body bodyOf(const BodyDef& def) {
   Body body = makeBody(def.name, massProperties(def));
-  body.drag = def.drag;
   body.fixed = def.fixed;
   return body;
 }
@@ -32,11 +31,11 @@ std::vector<PointWrench> wrenchesOf(const Scene& scene, const std::vector<Body>&
   return wrenches;
 }
 
-/// Refuses an integrator that does not take what acts in the scene.
+/// Refuses an integrator that does not support what acts in the scene.
 void checkIntegrator(const Scene& scene, const World& world) {
   if (world.solver.integrator == "auto") return;
   try {
-    requireTaken(world);
+    requireSupport(world);
   } catch (const std::invalid_argument& refused) {
     throw SceneError(scene.source, scene.integrator_line, refused.what());
   }

@@ -79,6 +79,11 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
   applied.point = place.X_PF * wrench.point;
   applied.start = wrench.start;
   applied.end = wrench.start + wrench.duration;
+  const double share = (applied.end - applied.start) / wrench.duration;
+  if (std::abs(share - 1) > kImpulseRounding) {  // false for an infinite duration
+    applied.force /= share;
+    applied.torque /= share;
+  }
   // what is finite in its own frame may not be so in another
   resolved.fault = finiteFault(applied.point, applied.force, applied.torque);
   return resolved;

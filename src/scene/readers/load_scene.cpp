@@ -44,7 +44,7 @@ std::vector<ForceDef> readForces(const Entry& value) {
 }
 
 std::vector<WrenchDef> readWrenches(const Entry& value) {
-  value.checkCount(Simulation::kMostWrenches, "wrenches");
+  value.checkCount(Simulation::kMaxWrenches, "wrenches");
   std::vector<WrenchDef> wrenches;
   for (const Entry& item : value.items("must be a list of wrenches"))
     wrenches.push_back(readWrench(item));

@@ -9,7 +9,7 @@ namespace rigid_body_sim {
 BodyDef readBody(const Entry& entry);
 WrenchDef readWrench(const Entry& entry);
 ForceDef readForce(const Entry& entry);
-Drag readDrag(const Entry& entry);
+Drag::Coefficients readDrag(const Entry& entry);
 
 /// The value of `shape`.
 SolidGeometry readGeometry(const Entry& entry);

@@ -18,8 +18,7 @@ bool isActedOn(const World& world, std::size_t body, double t_end) {
     const std::vector<std::size_t> members = law->members();
     return std::find(members.begin(), members.end(), body) != members.end();
   };
-  return world.bodies[body].drag.any() ||
-         std::any_of(world.laws.begin(), world.laws.end(), acts_on_it) ||
+  return std::any_of(world.laws.begin(), world.laws.end(), acts_on_it) ||
          std::any_of(world.wrenches.begin(), world.wrenches.end(), [=](const PointWrench& wrench) {
            return wrench.body == body && wrench.start < t_end;
          });

@@ -123,7 +123,7 @@ void run(const SimulateOptions& options) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   if (csv) csv->finish();
   if (bags.output) bags.output->finish();
-  const std::string parts = describeParts(simulation);
+  const std::string parts = describeSubsteps(simulation);
   if (!parts.empty()) preface.add(noticeLine("simulate", parts));
   preface.say();
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/run/position_rounding.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -15,7 +17,8 @@ double relative(double difference, double scale) {
   return scale > 0 ? difference / scale : difference;
 }
 
-void addErrorsOfBody(const World& world, std::size_t body, const std::vector<State>& track,
+/// rounding [m]: of the body's place.
+void addErrorsOfBody(std::size_t body, double rounding, const std::vector<State>& track,
                      const std::vector<State>& truth, Errors& worst) {
   double L_scale = 0;
   for (const State& state : truth) L_scale = std::max(L_scale, state.bodies[body].L_W.norm());
@@ -23,11 +26,9 @@ void addErrorsOfBody(const World& world, std::size_t body, const std::vector<Sta
   for (std::size_t k = 1; k < truth.size(); ++k) {
     const BodyState& a = track[k].bodies[body];
     const BodyState& b = truth[k].bodies[body];
-    path += (b.x_W - truth[k - 1].bodies[body].x_W).norm();
-    const double gap = ((a.x_W - b.x_W) + (a.x_low_W - b.x_low_W)).norm();
+    path += distanceBetween(b, truth[k - 1].bodies[body]);
     raise(worst.attitude, angleBetween(a.q_WP, b.q_WP));
-    raise(worst.position,
-          relative(std::max(0.0, gap - positionRounding(world.bodies[body], b)), path));
+    raise(worst.position, relative(std::max(0.0, distanceBetween(a, b) - rounding), path));
     raise(worst.angular_momentum, relative((a.L_W - b.L_W).norm(), L_scale));
   }
 }
@@ -44,8 +45,9 @@ double kineticEnergyOfAll(const World& world, const State& state) {
 Errors errorsOf(const World& world, const std::vector<State>& track,
                 const std::vector<State>& truth) {
   Errors worst;
+  const std::vector<double> rounding = positionRounding(world, truth.front().bodies, {});
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    if (!world.bodies[i].fixed) addErrorsOfBody(world, i, track, truth, worst);
+    if (!world.bodies[i].fixed) addErrorsOfBody(i, rounding[i], track, truth, worst);
   double scale = 0;
   for (const State& state : truth) scale = std::max(scale, kineticEnergyOfAll(world, state));
   for (std::size_t k = 1; k < truth.size(); ++k)

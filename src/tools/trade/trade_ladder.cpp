@@ -5,6 +5,7 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "dynamics/methods/catalogue.hpp"
 #include "tools/trade/cpu_time.hpp"
 
 namespace rigid_body_sim {

@@ -7,6 +7,7 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "dynamics/methods/catalogue.hpp"
 #include "tools/trade/trade_solved.hpp"
 
 namespace rigid_body_sim {

@@ -27,13 +27,14 @@ Setting measureSetting(const World& world, const Reference& reference,
     track.push_back(stateAt(
         sampled, reference.duration * static_cast<double>(k) / static_cast<double>(instants)));
   setting.errors = errorsOf(world, track, reference.states);
-  setting.parted = sampled.mostParts() > 1;
+  setting.parted = sampled.maxSubsteps() > 1;
 
   const auto steps = static_cast<std::int64_t>(std::ceil(reference.duration / time_step - 1e-6));
   const auto run = [&](Simulation& simulation) {
     while (simulation.steps() < steps) {
       simulation.step();
-      simulation.state();  // what a step is taken for; a solved motion is evaluated here
+      // what a step is taken for; a solved motion is evaluated here
+      for (std::size_t i = 0; i < world.bodies.size(); ++i) simulation.body(i);
     }
     setting.force_evaluations = simulation.evaluations();
   };

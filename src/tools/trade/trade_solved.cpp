@@ -38,9 +38,9 @@ BodyState rounded(const Fine& f) {
 }
 
 HeldWrench heldNow(const WrenchSchedule& schedule) {
-  HeldWrench held;
-  for (const PointWrench& wrench : schedule.active()) held.add(wrench);
-  return held;
+  HeldWrenchSum sum;
+  for (const PointWrench& wrench : schedule.active()) sum.add(wrench);
+  return sum.sum();
 }
 
 /// Advances from t to t_end, split at every start and end of a wrench.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dynamics/methods/catalogue.hpp"
 #include "support/ladder.hpp"
 #include "support/method_cases.hpp"
 
@@ -33,7 +34,7 @@ TEST_P(EveryMethod, ConvergesAtItsClaimedOrder) {
       const int n = static_cast<int>(steps);
       Simulation sim = c.bench.simulation(method.name, kDuration / n);
       for (int i = 0; i < n; ++i) sim.step();
-      if (sim.mostParts() > 1) continue;  // other steps were taken than asked for
+      if (sim.maxSubsteps() > 1) continue;  // other steps were taken than asked for
       const auto errors = test::motionErrors(sim.state(), truth);
       attitude.add(n, errors.attitude);
       position.add(n, errors.position);
@@ -83,14 +84,21 @@ TEST_P(EveryMethod, TellsItsErrorFromARunAtTwiceTheStep) {
   }
 }
 
+/// The first body of a world, under one wrench.
+System systemUnder(const World& world, const PointWrench& wrench) {
+  HeldWrenchSum sum;
+  sum.add(wrench);
+  System system;
+  system.bodies = {&world.bodies[0]};
+  system.held = {sum.sum()};
+  return system;
+}
+
 TEST_P(EveryMethod, EvaluatesWrenchesAsOftenAsItClaims) {
   const Method& method = GetParam();
   const Bench bench = test::pushedBox(kWorld, 0);
-  System system;
-  system.bodies = {&bench.world.bodies[0]};
-  system.held.resize(1);
-  system.held[0].add(bench.world.wrenches[0]);
-  std::vector<BodyState> states = bench.initial.bodies;
+  const System system = systemUnder(bench.world, bench.world.wrenches[0]);
+  SystemState states{bench.initial.bodies, {}};
   Workspace workspace;
   method.step(system, 0.01, states, workspace);
   const std::int64_t first = workspace.evaluations;
@@ -100,7 +108,7 @@ TEST_P(EveryMethod, EvaluatesWrenchesAsOftenAsItClaims) {
 
 /// [s] A step that turns a body of about 2 rad/s by half of what the method follows in one part:
 /// what the method gets wrong is then well above rounding.
-double longStep(const Method& method) { return 0.5 * std::min(method.most_turn, 1.6) / 2; }
+double longStep(const Method& method) { return 0.5 * std::min(method.max_turn, 1.6) / 2; }
 
 // There and back over 50 steps each way: rounding of about 1e-16 a step, grown by the motion.
 TEST_P(EveryMethod, IsReversibleIfAndOnlyIfItSaysSo) {
@@ -110,15 +118,12 @@ TEST_P(EveryMethod, IsReversibleIfAndOnlyIfItSaysSo) {
   PointWrench push;
   push.point = {0.1, 0.2, 0.3};
   push.force = {1, 0, 0.5};
-  System system;
-  system.bodies = {&bench.world.bodies[0]};
-  system.held.resize(1);
-  system.held[0].add(push);
-  std::vector<BodyState> states = bench.initial.bodies;
+  const System system = systemUnder(bench.world, push);
+  SystemState states{bench.initial.bodies, {}};
   Workspace workspace;
   for (double h : {longStep(method), -longStep(method)})
     for (int i = 0; i < 50; ++i) method.step(system, h, states, workspace);
-  const double error = angleBetween(states[0].q_WP, bench.initial.bodies[0].q_WP);
+  const double error = angleBetween(states.bodies[0].q_WP, bench.initial.bodies[0].q_WP);
   EXPECT_EQ(error < 1e-11, method.claimsTo(kReversible)) << error;
 }
 
@@ -149,7 +154,7 @@ TEST_P(EveryMethod, BoundsTheEnergyErrorIfItSaysSo) {
   for (int i = 0; i < kLongRun; ++i) {
     sim.step();
     double& worst = i < kLongRun / 10 ? early : late;
-    worst = std::max(worst, std::abs(kineticEnergy(body, sim.state().bodies[0]) - E_0));
+    worst = std::max(worst, std::abs(kineticEnergy(body, sim.body(0)) - E_0));
   }
   // what rounding adds up to, at 1e-15 a step: 1e-9 over a million steps of up to fifteen drifts
   const double rounding = 1e-15 * kLongRun;
@@ -170,7 +175,7 @@ TEST(Strang, FollowsTheComplexBox) {
   Simulation sim = bench.simulation("strang", 1e-3);
   for (int i = 0; i < 10000; ++i) {
     sim.step();
-    const BodyState& s = sim.state().bodies[0];
+    const BodyState& s = sim.body(0);
     const double t = sim.time();
     EXPECT_EQ(s.L_W, start.L_W);
     EXPECT_NEAR(energy(s), energy(start), 1e-6 * energy(start));

@@ -41,9 +41,9 @@ void expectHeld(Simulation sim, double duration, const reference::Motions& truth
   const double tolerance = sim.world().solver.tolerance;
   double path = 0;
   while (sim.time() < duration - 0.5 * sim.world().solver.time_step) {
-    const Vector3d last = sim.state().bodies[0].x_W;
+    const Vector3d last = sim.body(0).x_W;
     sim.step();
-    path += (sim.state().bodies[0].x_W - last).norm();
+    path += (sim.body(0).x_W - last).norm();
   }
   const MotionErrors errors = motionErrors(sim.state(), truth);
   EXPECT_LT(errors.attitude, tolerance) << what << ", tolerance " << tolerance;
@@ -105,7 +105,7 @@ TEST(Auto, HoldsItsToleranceWhereAWrenchStartsAfterTheTrialHasEnded) {
   bench.world.wrenches = {push(1, 4)};
   bench.world.solver.horizon = 5;
   const Simulation sim = bench.simulation("auto", 1e-4);
-  ASSERT_LT(sim.groups()[0].choice().tried_until, 4);
+  ASSERT_LT(sim.plans()[0].tried_until, 4);
   expectHeld(sim, 5, referenceRun(bench, 5), "late");
 }
 
@@ -118,15 +118,16 @@ TEST(Auto, HoldsItsToleranceWhereTheMotionQuickensAfterTheTrialHasEnded) {
   bench.add(principalBody("comet", 1, {1, 1, 1}), motion);
   bench.addCentralGravity(0, {0, 0, 0}, 1, false);
   Simulation sim = bench.simulation("auto", 1e-4);
-  ASSERT_TRUE(sim.groups()[0].choice().cut_short);
-  EXPECT_NE(describeSolution(sim)[0].find(" s on dop853 by its own estimates"), std::string::npos)
+  ASSERT_TRUE(sim.plans()[0].cut_short);
+  EXPECT_NE(describeSolution(sim)[0].find(" s on dop853 by its own error estimates"),
+            std::string::npos)
       << describeSolution(sim)[0];
   while (sim.steps() < 100) sim.step();
-  EXPECT_FALSE(sim.groups()[0].choice().controlled);  // which is dearer
+  EXPECT_FALSE(sim.plans()[0].by_estimates);  // which is dearer
   while (sim.steps() < 100000) sim.step();
-  EXPECT_TRUE(sim.groups()[0].choice().controlled);
+  EXPECT_TRUE(sim.plans()[0].by_estimates);
   // by the closed form, as an independent program evaluates it, to the digits that are given
-  EXPECT_LT((sim.state().bodies[0].x_W - Vector3d(-1.53270178, 0.10311649, 0)).norm(), 1e-8);
+  EXPECT_LT((sim.body(0).x_W - Vector3d(-1.53270178, 0.10311649, 0)).norm(), 1e-8);
 }
 
 // dop853 divides a step that is long beside the orbit by itself; two runs in the same parts agree.
@@ -144,9 +145,9 @@ TEST(Auto, HoldsItsToleranceWhereAStepIsLongBesideTheOrbit) {
     while (sim.steps() < 100) sim.step();
     const Vector3d circle(kRadius * std::cos(w), kRadius * std::sin(w), 0);
     // of the path flown; the phase is known to w roundings
-    EXPECT_LT((sim.state().bodies[0].x_W - circle).norm(), 1e-9 * kRadius * w) << turn_a_step;
+    EXPECT_LT((sim.body(0).x_W - circle).norm(), 1e-9 * kRadius * w) << turn_a_step;
     // divided for the orbit, not by dop853 when its estimates show
-    EXPECT_GE(sim.groups()[0].choice().parts, turn_a_step) << turn_a_step;
+    EXPECT_GE(sim.plans()[0].substeps, turn_a_step) << turn_a_step;
   }
 }
 
@@ -167,7 +168,7 @@ TEST(Auto, GoesOnByEstimatesWhereAWrenchStartsBeyondTheHorizon) {
   bench.world.wrenches = {push(1, 2)};
   bench.world.solver.horizon = 1;
   const Simulation sim = bench.simulation("auto", 0.01);
-  ASSERT_FALSE(sim.groups()[0].choice().cut_short);
+  ASSERT_FALSE(sim.plans()[0].cut_short);
   expectHeld(sim, 3, referenceRun(bench, 3), "beyond");
 }
 
@@ -191,8 +192,8 @@ TEST(Auto, SolvesWhatCanBeSolvedAndChoosesARowForTheRest) {
   for (Case c : allCases()) {
     c.bench.world.solver.horizon = 2;
     const Simulation sim = c.bench.simulation("auto", 0.01);
-    EXPECT_EQ(sim.groups()[0].choice().method == nullptr, needsOf(c) == 0) << c.name;
-    EXPECT_TRUE(sim.groups()[0].choice().holds) << c.name;
+    EXPECT_EQ(sim.plans()[0].integrator.empty(), needsOf(c) == 0) << c.name;
+    EXPECT_TRUE(sim.plans()[0].holds) << c.name;
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dynamics/methods/catalogue.hpp"
 #include "support/ladder.hpp"
 #include "support/method_cases.hpp"
 
@@ -97,7 +98,7 @@ TEST_P(BalanceOfEveryMethod, ClosesAtTheOrderOfTheRow) {
         sim.step();
         left.include(sim.balance());
       }
-      if (sim.mostParts() > 1) continue;  // other steps were taken than asked for
+      if (sim.maxSubsteps() > 1) continue;  // other steps were taken than asked for
       energy.add(steps, left.energy);
       momentum.add(steps, left.momentum);
       angular_momentum.add(steps, left.angular_momentum);
@@ -119,7 +120,7 @@ TEST(Balance, CountsTheWorkOfALeverAsForceTimesPath) {
   const auto pointAt = [&](double t) {
     Simulation sim = lever.simulation("auto", t);
     sim.step();
-    const BodyState& s = sim.state().bodies[0];
+    const BodyState& s = sim.body(0);
     return Vector3d(s.x_W + s.x_low_W + rotate(s.q_WP, push.point));
   };
   Simulation sim = tracked(lever, "auto", 0.1);
@@ -190,7 +191,7 @@ class MistoldPull final : public ForceLaw {
   explicit MistoldPull(double factor) : factor_(factor) {}
   const char* name() const override { return "mistold pull"; }
   std::vector<std::size_t> members() const override { return {0}; }
-  std::shared_ptr<const ForceLaw> renamed(
+  std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>&) const override {
     return std::make_shared<MistoldPull>(factor_);
   }
@@ -201,7 +202,7 @@ class MistoldPull final : public ForceLaw {
     return -factor_ * kForce * at.states[0].x_W.x();
   }
   double externalPower(const Bodies&) const override { return 0; }
-  bool isDamped() const override { return false; }
+  unsigned needs() const override { return kCoupling; }
 
   static constexpr double kForce = 3;  // [N]
 
@@ -258,7 +259,7 @@ TEST(Balance, LeavesTheRunItsBits) {
       Simulation left_alone = bench.simulation(integrator, 0.05);
       run(watched, 40);
       run(left_alone, 40);
-      const BodyState &a = watched.state().bodies[0], &b = left_alone.state().bodies[0];
+      const BodyState &a = watched.body(0), &b = left_alone.body(0);
       EXPECT_EQ(a.q_WP.coeffs(), b.q_WP.coeffs()) << integrator;
       EXPECT_EQ(a.L_P, b.L_P) << integrator;
       EXPECT_EQ(a.x_W, b.x_W) << integrator;

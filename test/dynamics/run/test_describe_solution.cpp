@@ -35,7 +35,7 @@ TEST(DescribeSolution, SaysWhatActsAndHowItIsSolved) {
   EXPECT_EQ(describeSolution(rocket.simulation("auto", 0.01)),
             Lines{"wing_nut: wrenches, asymmetric, exact"});
   Bench bench = test::springPair(1);
-  bench.world.bodies[1].drag.linear = 0.1;
+  bench.addDrag(1, {0.1, 0, 0});
   Body table = principalBody("table", 1, {1, 1, 1});
   table.fixed = true;
   bench.add(table, BodyFrameMotion());
@@ -47,17 +47,17 @@ TEST(DescribeSolution, SaysWhatActsAndHowItIsSolved) {
             Lines{"satellite: central gravity, strang, h <= 1 ms"});
 }
 
-TEST(DescribeSolution, NamesTheRowThatAutoChose) {
+TEST(DescribeSolution, NamesTheIntegratorThatAutoChose) {
   Bench bench = test::springPair(1);
   bench.world.solver.horizon = 1;
   const Simulation sim = bench.simulation("auto", 0.5);
-  const MethodChoice& choice = sim.groups()[0].choice();
-  ASSERT_GT(choice.parts, 1);
+  const MotionPlan plan = sim.plans()[0];
+  ASSERT_GT(plan.substeps, 1);
   const Lines lines = describeSolution(sim);
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0].find("upper: spring, " + std::string(choice.method->name) + ", h <= "), 0u)
+  EXPECT_EQ(lines[0].find("upper: spring, " + plan.integrator + ", h <= "), 0u)
       << lines[0];
-  EXPECT_NE(lines[0].find("(" + std::to_string(choice.parts) + " parts a step)"),
+  EXPECT_NE(lines[0].find("(" + std::to_string(plan.substeps) + " substeps a step)"),
             Lines::value_type::npos)
       << lines[0];
 }
@@ -68,18 +68,19 @@ TEST(DescribeSolution, OwnsUpWhereNothingHoldsTheTolerance) {
   bench.world.solver.tolerance = 1e-30;
   const Lines lines = describeSolution(bench.simulation("auto", 0.01));
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_NE(lines[2].find("upper and 1 with it: no method was found to hold tolerance 1e-30"),
+  EXPECT_NE(lines[2].find("upper and 1 with it: no integrator was found to hold tolerance 1e-30"),
             std::string::npos)
       << lines[2];
 }
 
-TEST(DescribeParts, SaysInHowManyAStepWasTaken) {
+TEST(DescribeSubsteps, SaysHowFarStepsWereDivided) {
   Simulation slow = freeBody({1, 2, 3}).simulation("strang", 0.01);
   slow.step();
-  EXPECT_EQ(describeParts(slow), "");
+  EXPECT_EQ(describeSubsteps(slow), "");
   Simulation fast = freeBody({1, 2, 3}).simulation("strang", 1);
   fast.step();
-  EXPECT_NE(describeParts(fast).find("in up to 5 parts"), std::string::npos) << describeParts(fast);
+  EXPECT_NE(describeSubsteps(fast).find("into up to 5 substeps"), std::string::npos)
+      << describeSubsteps(fast);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Bench everyKindOfBody() {
   for (const char* name : {"free", "pushed", "dragged", "upper", "lower"})
     bench.add(test::principalBody(name, 2, {1, 2, 2.5}),
               test::tumbling(draw.vector(1), draw.vector(5), draw.attitude()));
-  bench.world.bodies[2].drag = {0.1, 0, 0.1};
+  bench.addDrag(2, {0.1, 0, 0.1});
   bench.addSpring({3, draw.vector(0.2)}, {4, draw.vector(0.2)}, {10, 0, 0.5});
   for (int k = 0; k < 20; ++k)
     bench.world.wrenches.push_back(drawWrench(draw, k % 2, draw.uniform(0, 3)));

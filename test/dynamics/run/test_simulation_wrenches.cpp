@@ -35,18 +35,18 @@ TEST(Simulation, LeavesBodiesAloneThatAClearingDoesNotTouch) {
     coupled.axes = 2;
     cleared.applyWrench("held", held);
     cleared.step();
-    cleared.clearWrenches(i % 2 == 0 ? "held" : "none");
+    cleared.clearWrenches(ClearInput::kEveryBody, i % 2 == 0 ? "held" : "none");
     cleared.clearWrenches(2);
     cleared.applyWrench("coupled", coupled);
     cleared.step();
     cleared.clearWrenches(1, "coupled");
     left_alone.step();
     left_alone.step();
-    const BodyState &a = left_alone.state().bodies[0], &b = cleared.state().bodies[0];
+    const BodyState &a = left_alone.body(0), &b = cleared.body(0);
     ASSERT_EQ(a.q_WP.coeffs(), b.q_WP.coeffs()) << i;
     ASSERT_EQ(a.x_W, b.x_W) << i;
   }
-  EXPECT_EQ(cleared.groups().size(), 3u);
+  EXPECT_EQ(cleared.plans().size(), 3u);
 }
 
 TEST(Simulation, HoldsAWrenchInTheAxesOfAnotherBody) {
@@ -60,7 +60,7 @@ TEST(Simulation, HoldsAWrenchInTheAxesOfAnotherBody) {
   for (int i = 0; i < 1000; ++i) sim.step();
   // p = ∫ 3 (cos 2t, sin 2t) dt
   const Vector3d p(1.5 * std::sin(2.0), 1.5 * (1 - std::cos(2.0)), 0);
-  EXPECT_LE((sim.state().bodies[0].p_W - p).norm(), 1e-12);
+  EXPECT_LE((sim.body(0).p_W - p).norm(), 1e-12);
   EXPECT_LE((sim.appliedWrench(0).f_W - Vector3d(3 * std::cos(2.0), 3 * std::sin(2.0), 0)).norm(),
             1e-11);
   sim.clearWrenches(0, "arm");
@@ -75,7 +75,7 @@ TEST(Simulation, EndsAWrenchWithTheStepThatItsEndMissesByRounding) {
   EXPECT_EQ(sim.activeWrenches(0).size(), 1u);
   sim.step();
   EXPECT_TRUE(sim.activeWrenches(0).empty());
-  EXPECT_EQ(sim.state().bodies[0].p_W.x(), 0.3 - 0.1);
+  EXPECT_EQ(sim.body(0).p_W.x(), 0.3 - 0.1);
 }
 
 // A new random wrench every 10 ms, no multiple of the step: solved to rounding. 1e-12 rad is what
@@ -105,7 +105,7 @@ TEST(Simulation, FollowsAThousandWrenchChangesToRounding) {
 
 TEST(Simulation, RefusesOneWrenchMoreThanMayBeToCome) {
   Bench bench = restingBox();
-  bench.world.wrenches.assign(Simulation::kMostWrenches, worldForce({1, 0, 0}, 10, 11));
+  bench.world.wrenches.assign(Simulation::kMaxWrenches, worldForce({1, 0, 0}, 10, 11));
   Simulation sim = bench.simulation("auto", 0.1);
   const auto apply = [&sim] { sim.applyWrench("", worldForce({1, 0, 0}, 0, 1)); };
   try {
@@ -114,17 +114,17 @@ TEST(Simulation, RefusesOneWrenchMoreThanMayBeToCome) {
   } catch (const std::invalid_argument& refused) {
     EXPECT_STREQ(refused.what(), "at most 100000 wrenches may act or be to come");
   }
-  EXPECT_EQ(sim.wrenchCount(), Simulation::kMostWrenches);
+  EXPECT_EQ(sim.wrenchCount(), Simulation::kMaxWrenches);
   sim.clearWrenches();
   EXPECT_NO_THROW(apply());
 }
 
 TEST(Simulation, TakesAWrenchInTheOthersPlaceWhenNoMoreMayBe) {
   Bench bench = restingBox();
-  bench.world.wrenches.assign(Simulation::kMostWrenches - 1, worldForce({1, 0, 0}, 10, 11));
+  bench.world.wrenches.assign(Simulation::kMaxWrenches - 1, worldForce({1, 0, 0}, 10, 11));
   Simulation sim = bench.simulation("auto", 0.1);
   for (int i = 0; i < 3; ++i) sim.applyWrench("held", worldForce({1, 0, 0}, 0, 1));
-  EXPECT_EQ(sim.wrenchCount(), Simulation::kMostWrenches);
+  EXPECT_EQ(sim.wrenchCount(), Simulation::kMaxWrenches);
   EXPECT_THROW(sim.applyWrench("held", worldForce({1, 0, 0}, 0.5, 1)), std::invalid_argument);
   EXPECT_THROW(sim.applyWrench("other", worldForce({1, 0, 0}, 0, 1)), std::invalid_argument);
 }

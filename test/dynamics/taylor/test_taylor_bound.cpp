@@ -71,8 +71,7 @@ TEST(Simulation, TellsTheErrorOfAMotionSolvedToAStatedTolerance) {
   double worst = 0;
   while (simulation.steps() < 20) {
     for (Simulation* run : {&simulation, &precise}) run->step();
-    worst = std::max(
-        worst, angleBetween(simulation.state().bodies[0].q_WP, precise.state().bodies[0].q_WP));
+    worst = std::max(worst, angleBetween(simulation.body(0).q_WP, precise.body(0).q_WP));
   }
   EXPECT_GT(worst, 1e-7);
   EXPECT_LE(worst, 1e-3);

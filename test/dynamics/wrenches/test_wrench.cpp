@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dynamics/wrenches/held_wrench.hpp"
 #include "support/worlds.hpp"
 
 namespace rigid_body_sim {
@@ -63,11 +64,11 @@ TEST(PointWrench, TurnsWithTheFrameThatItIsFixedIn) {
   }
 }
 
-// However many wrenches are summed, and in levers merged or not.
+// However many wrenches are summed, and whether they are merged or not.
 TEST(HeldWrench, EqualsTheSumOfItsParts) {
   std::mt19937 rng(2);
   for (int count : {1, 2, 3, 4, 20}) {
-    HeldWrench held;
+    HeldWrenchSum held_sum;
     std::vector<PointWrench> parts;
     for (int i = 0; i < count; ++i) {
       for (std::size_t axes : {kWorld, std::size_t{0}}) {
@@ -78,12 +79,13 @@ TEST(HeldWrench, EqualsTheSumOfItsParts) {
         applied.torque = randomVector(rng);
         applied.point = randomVector(rng);
         ASSERT_TRUE(HeldWrench::holds(applied));
-        held.add(applied);
+        held_sum.add(applied);
         parts.push_back(applied);
       }
     }
-    EXPECT_LE(held.levers.size(), 3u);
-    EXPECT_LE(held.pulls.size(), 3u);
+    const HeldWrench held = held_sum.sum();
+    EXPECT_LE(held.body_point_forces.size(), 3u);
+    EXPECT_LE(held.world_point_forces.size(), 3u);
     for (int i = 0; i < 10; ++i) {
       const std::vector<BodyState> bodies{randomState(rng)};
       Wrench sum;
@@ -107,24 +109,45 @@ TEST(HeldWrench, LeavesAloneWhatDependsOnMoreThanItsBody) {
 }
 
 TEST(HeldWrench, KnowsWhenTheBodyTurnsFreely) {
-  HeldWrench held;
-  EXPECT_TRUE(held.torqueFree());
+  HeldWrenchSum held;
+  EXPECT_TRUE(held.sum().torqueFree());
   PointWrench at_com;
   at_com.force = {1, 2, 3};
   held.add(at_com);
-  EXPECT_TRUE(held.torqueFree());
+  EXPECT_TRUE(held.sum().torqueFree());
   at_com.point = {0, 0, 1};
   held.add(at_com);
-  EXPECT_FALSE(held.torqueFree());
+  EXPECT_FALSE(held.sum().torqueFree());
+}
+
+// 1e20 N and 1 N at one point, three others so that all are merged, −1e20 N: 1 N × 5.5 m is left.
+TEST(HeldWrench, KeepsWhatForcesThatCancelWereTooGreatToHold) {
+  for (std::size_t frame : {kOwnBody, kWorld}) {
+    HeldWrenchSum sum;
+    const auto add = [&](double force, const Vector3d& point) {
+      PointWrench applied;
+      applied.force = {0, force, 0};
+      applied.point = point;
+      applied.point_frame = frame;
+      sum.add(applied);
+    };
+    add(1e20, {5.5, 0, 0});
+    add(1, {5.5, 0, 0});
+    for (const double z : {1, 2, 3}) add(0.0625, {0, 0, z});
+    add(-1e20, {5.5, 0, 0});
+    EXPECT_EQ(totalTorque(sum.sum().at(BodyState()), BodyState()).z(), 5.5);
+    EXPECT_EQ(sum.sum().f_W.y(), 1 + 3 * 0.0625);
+  }
 }
 
 // A couple or force of the body itself reaches a needle's small component undiluted.
 TEST(HeldWrench, KeepsTheBodysOwnTorqueInItsOwnAxes) {
-  HeldWrench held;
+  HeldWrenchSum sum;
   PointWrench thruster;
   thruster.axes = thruster.point_frame = 0;
   thruster.torque = {0, 1, 0};
-  held.add(thruster);
+  sum.add(thruster);
+  const HeldWrench held = sum.sum();
   BodyState s;
   s.q_WP = rotationExp(Vector3d(1, 2, 3));
   EXPECT_EQ(held.at(s).tau_P, Vector3d(0, 1, 0));

@@ -101,10 +101,26 @@ TEST(WrenchSchedule, TakesManyAtTheSameInstantInOrder) {
   EXPECT_EQ(schedule.size(), 0u);
 }
 
-TEST(LinkedBodies, JoinWhatIsLinkedAndNothingElse) {
-  std::vector<Body> bodies(6);
-  bodies[3].fixed = true;
-  const auto groups = linkedBodies(bodies, {{0, 2}, {}, {3, 4}, {3, 5}, {2, 1}});
+/// A push on a body in the axes of another, from the start.
+PointWrench inAxesOf(std::size_t axes, std::size_t body) {
+  PointWrench wrench = push(1, 0, 10);
+  wrench.body = body;
+  wrench.axes = axes;
+  return wrench;
+}
+
+TEST(CoupledBodies, JoinWhatIsLinkedAndNothingElse) {
+  World world;
+  world.bodies.resize(6);
+  world.bodies[3].fixed = true;
+  std::vector<WrenchSchedule> schedules(6);
+  for (const auto& [axes, body] : {std::pair<std::size_t, std::size_t>{0, 2}, {2, 1}})
+    schedules[body].put("", inAxesOf(axes, body), 0);
+  for (WrenchSchedule& schedule : schedules) schedule.advanceTo(0);
+  std::vector<std::vector<std::size_t>> groups;
+  for (const CoupledBodies& group :
+       coupledBodies(world, LawTable(world), {}, schedules, movingBodies(world)))
+    groups.push_back(group.members);
   const std::vector<std::vector<std::size_t>> expected{{0, 1, 2}, {4}, {5}};
   EXPECT_EQ(groups, expected);
 }

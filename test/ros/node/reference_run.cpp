@@ -50,8 +50,7 @@ std::size_t ReferenceRun::index(const std::string& body) const {
 
 Motion ReferenceRun::motion(const std::string& body) const {
   const std::size_t i = index(body);
-  const BodyFrameMotion m =
-      toBodyFrameMotion(simulation_->world().bodies[i], simulation_->state().bodies[i]);
+  const BodyFrameMotion m = toBodyFrameMotion(simulation_->world().bodies[i], simulation_->body(i));
   return {m.x_W, m.q_WB, m.q_WB.conjugate() * m.v_W, m.q_WB.conjugate() * m.w_W};
 }
 

@@ -75,7 +75,7 @@ class Fleet : public ::testing::Test {
     const World world = buildWorld(scene);
     Simulation run(world, initialState(scene, world));
     while (origin.stamp(run.time()) < stamp) run.step();
-    return toOdometry(world.bodies[0], run.state().bodies[0], "world", stamp);
+    return toOdometry(world.bodies[0], run.body(0), "world", stamp);
   }
 
   void expectOdometryOfTheCore() {

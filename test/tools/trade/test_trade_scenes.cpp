@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dynamics/methods/catalogue.hpp"
 #include "support/scene_bench.hpp"
 #include "support/trade_settings.hpp"
 #include "tools/common/state_at.hpp"
@@ -88,9 +89,9 @@ TEST_P(ShippedScene, KeepsItsToleranceWithAutoAtTwiceTheLeastCost) {
     EXPECT_LE(errorOf(stateAt(simulation, duration)), tolerance);
 
     double cost = 0;
-    for (const Group& group : simulation.groups())
-      if (const Method* row = group.choice().method)
-        cost += test::countedCost(*row, group.evaluations());
+    for (const MotionPlan& plan : simulation.plans())
+      if (!plan.integrator.empty())
+        cost += test::countedCost(methodNamed(plan.integrator), plan.evaluations);
     const double least = test::leastCost(settings, step, tolerance);
     EXPECT_TRUE(std::isfinite(least)) << tolerance;
     EXPECT_LE(cost, 2 * least) << tolerance;

@@ -1,0 +1,118 @@
+#include "dynamics/run/check_input.hpp"
+
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace rigid_body_sim {
+namespace {
+
+/// Throws unless a rule holds: "body 'box': position must be finite".
+void require(bool holds, const std::string& rule) {
+  if (!holds) throw std::invalid_argument(rule);
+}
+
+/// "time_step must be > 0 s, got -0.01"
+void require(bool holds, const std::string& rule, double got) {
+  if (holds) return;
+  std::ostringstream text;
+  text.precision(17);
+  text << rule << ", got " << got;
+  throw std::invalid_argument(text.str());
+}
+
+bool isPositive(double x) { return x > 0 && std::isfinite(x); }
+
+void checkSolver(const SolverOptions& solver) {
+  require(isPositive(solver.time_step), "time_step must be > 0 s", solver.time_step);
+  require(isPositive(solver.tolerance), "tolerance must be > 0", solver.tolerance);
+  require(isPositive(solver.horizon), "horizon must be > 0 s", solver.horizon);
+}
+
+void checkLaw(const World& world, const ForceLaw& law, std::set<std::size_t>& with_flow) {
+  const std::string name = std::string("law '") + law.name() + "': ";
+  const std::vector<std::size_t> members = law.members();
+  require(!members.empty(), name + "it must act on a body");
+  for (std::size_t body : members) {
+    require(body < world.bodies.size(), name + "no body has the index " + std::to_string(body));
+    require(!world.bodies[body].fixed,
+            name + "body '" + world.bodies[body].name + "' is fixed, no law can move it");
+  }
+  require(!law.hasFlow() || with_flow.insert(members.front()).second,
+          name + "body '" + world.bodies[members.front()].name + "' has one already");
+}
+
+void checkAttitude(const std::string& body, const Quaterniond& q) {
+  const double norm = q.norm();
+  require(std::abs(norm - 1) < 1e-6, body + "attitude must be a unit quaternion: norm 1", norm);
+}
+
+}  // namespace
+
+void checkIndex(const World& world, std::size_t body) {
+  require(body < world.bodies.size(), "no body has the index " + std::to_string(body));
+}
+
+void checkBody(const World& world, std::size_t body) {
+  checkIndex(world, body);
+  require(!world.bodies[body].fixed,
+          "body '" + world.bodies[body].name + "' is fixed, nothing can move it");
+}
+
+void checkWorld(const World& world) {
+  checkSolver(world.solver);
+  require(world.g_W.allFinite(), "gravity must be finite");
+  for (const Body& body : world.bodies)
+    require(body.fixed || (isPositive(body.mass) && (body.I.array() > 0).all() &&
+                           body.I.allFinite() && body.inv_I.allFinite()),
+            "body '" + body.name + "': mass and principal moments must be > 0 and finite");
+  std::set<std::size_t> with_flow;
+  for (const auto& law : world.laws) checkLaw(world, *law, with_flow);
+  for (const PointWrench& wrench : world.wrenches) checkWrench(world, wrench);
+}
+
+void checkState(const World& world, const State& state) {
+  require(state.bodies.size() == world.bodies.size(),
+          "a state must have as many bodies as its world, " + std::to_string(world.bodies.size()) +
+              ", got " + std::to_string(state.bodies.size()));
+  std::size_t law_states = 0;
+  for (const auto& law : world.laws) law_states += law->stateCount();
+  require(state.laws.empty() || state.laws.size() == law_states,
+          "a state must have as many states of laws as its world, " + std::to_string(law_states) +
+              ", got " + std::to_string(state.laws.size()));
+  require(state.anchors.empty() || state.anchors.size() == world.bodies.size(),
+          "a state must have an anchor for each body, or none");
+  const double h = world.solver.time_step, steps = state.t / h;
+  require(std::isfinite(state.t) && std::abs(steps - std::round(steps)) <= 1e-6,
+          "time must be a multiple of time_step", state.t);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    if (!world.bodies[i].fixed) checkBodyState(world, i, state.bodies[i]);
+}
+
+void checkBodyState(const World& world, std::size_t index, const BodyState& s) {
+  checkBody(world, index);
+  const std::string body = "body '" + world.bodies[index].name + "': ";
+  require(s.x_W.allFinite() && s.x_low_W.allFinite(), body + "position must be finite");
+  require(s.p_W.allFinite() && s.L_W.allFinite() && s.L_P.allFinite(),
+          body + "momenta must be finite");
+  checkAttitude(body, s.q_WP);
+}
+
+void checkWrench(const World& world, const PointWrench& wrench) {
+  checkBody(world, wrench.body);
+  const std::string body = "wrench on body '" + world.bodies[wrench.body].name + "': ";
+  for (std::size_t frame : {wrench.axes, wrench.point_frame})
+    require(frame == kWorld || frame == kOwnBody || frame < world.bodies.size(),
+            body + "no body has the index " + std::to_string(frame));
+  for (std::size_t frame : {wrench.axes, wrench.point_frame})
+    require(frame >= kOwnBody || !world.bodies[frame].fixed,
+            body + "axes and point of a fixed body must be given in the world");
+  require(wrench.force.allFinite() && wrench.torque.allFinite() && wrench.point.allFinite(),
+          body + "force, torque and point must be finite");
+  require(!std::isnan(wrench.start) && !std::isnan(wrench.end),
+          body + "start and end must be numbers");
+}
+
+}  // namespace rigid_body_sim

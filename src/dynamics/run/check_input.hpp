@@ -1,0 +1,22 @@
+#pragma once
+
+#include <rigid_body_sim/dynamics/world.hpp>
+
+namespace rigid_body_sim {
+
+/// Rules for what users of the library give. Each throws std::invalid_argument, with a line that
+/// names the body, the rule and the value found.
+
+void checkWorld(const World& world);
+void checkState(const World& world, const State& state);
+
+/// A body of the world.
+void checkIndex(const World& world, std::size_t body);
+
+/// A body of the world that is not fixed.
+void checkBody(const World& world, std::size_t body);
+
+void checkBodyState(const World& world, std::size_t body, const BodyState& state);
+void checkWrench(const World& world, const PointWrench& wrench);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,53 @@
+#include "dynamics/run/error_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigid_body_sim {
+namespace {
+
+bool solvedToRounding(const Run& run, const Group& group) {
+  return !group.choice().method && !run.world().solver.tolerance_stated;
+}
+
+}  // namespace
+
+ErrorTracker::ErrorTracker(const Run& run) {
+  if (run.steps() % 2 == 0) start(run);
+}
+
+void ErrorTracker::start(const Run& run) {
+  const std::vector<Group>& groups = run.groups();
+  if (!std::all_of(groups.begin(), groups.end(),
+                   [&](const Group& group) { return solvedToRounding(run, group); }))
+    coarse_ = run.atTwiceTheStep();
+}
+
+void ErrorTracker::put(const std::string& slot, const PointWrench& wrench) {
+  if (coarse_) coarse_->put(slot, wrench);
+}
+
+void ErrorTracker::follow(const Run& run) {
+  if (run.steps() % 2 != 0 || std::isinf(estimate_.attitude)) return;
+  if (!coarse_) return start(run);
+  try {
+    while (2 * coarse_->steps() < run.steps()) coarse_->step();
+  } catch (const SimulationDiverged&) {
+    estimate_.attitude = estimate_.position = std::numeric_limits<double>::infinity();
+    return;
+  }
+  for (const Group& group : run.groups()) {
+    if (solvedToRounding(run, group)) continue;
+    // a solved motion is compared with itself solved to rounding
+    const Method* method = group.choice().method;
+    const double ratio = method ? std::exp2(method->order) - 1 : 1;
+    for (std::size_t body : group.members()) {
+      const BodyState fine = run.body(body), coarse = coarse_->body(body);
+      estimate_.attitude =
+          std::max(estimate_.attitude, angleBetween(fine.q_WP, coarse.q_WP) / ratio);
+      estimate_.position = std::max(estimate_.position, distanceBetween(fine, coarse) / ratio);
+    }
+  }
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "dynamics/run/run.hpp"
+
+namespace rigid_body_sim {
+
+/// Estimates the error of a run by another at twice the step, which is given the same inputs.
+class ErrorTracker {
+ public:
+  /// From now on.
+  explicit ErrorTracker(const Run& run);
+
+  /// To be called after every step of the run.
+  void follow(const Run& run);
+
+  /// A wrench that the run has taken over, from its present on.
+  void put(const std::string& slot, const PointWrench& wrench);
+
+  /// The run has changed otherwise: the other one starts from it at its next step of even count.
+  void restart() { coarse_.reset(); }
+
+  const ErrorEstimate& estimate() const { return estimate_; }
+
+ private:
+  void start(const Run& run);
+
+  std::optional<Run> coarse_;  // none before a step of even count, and where all is solved
+  ErrorEstimate estimate_;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "dynamics/run/motion_piece.hpp"
+
+namespace rigid_body_sim {
+
+/// Finds where a guard of a law falls below zero within a substep.
+class EventSearch {
+ public:
+  /// Of all laws of a system, law by law.
+  static void setGuards(const System& system, const SystemState& states,
+                        std::vector<double>& guards);
+
+  /// The instant at which the first guard has just fallen below zero, located to rounding; the end
+  /// of the piece where none does. at_end: the states there; they become those at the instant. What
+  /// falls below zero and rises again within a quarter of the piece may be missed.
+  double firstEvent(const MotionPiece& piece, const SystemState& at_start, SystemState& at_end);
+
+ private:
+  bool anyBelow(const System& system, const SystemState& states);
+  double suspected(const MotionPiece& piece, const SystemState& at_start,
+                   const SystemState& at_end);
+
+  std::vector<double> guards_;
+  SystemState trial_;
+};
+
+/// Switches the mode of each law a guard of which is below zero. Returns by how much potential
+/// energies have risen [J]. Throws StepTooLong where modes switch without end.
+double switchModes(const System& system, SystemState& states);
+
+}  // namespace rigid_body_sim

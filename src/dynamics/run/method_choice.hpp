@@ -1,0 +1,27 @@
+#pragma once
+
+#include <limits>
+
+#include "dynamics/methods/catalogue.hpp"
+
+namespace rigid_body_sim {
+
+/// How bodies that act on one another are advanced; as MotionPlan, in the terms of the run.
+struct MethodChoice {
+  const Method* method = nullptr;  ///< null: the motion is solved
+  int substeps = 1;                ///< equal parts in which each time step is taken, at least
+  double error = 0;                ///< what the trial found, as a share of the tolerance
+  double max_turn_share = 1;       ///< of Method::max_turn that a substep may turn by
+  bool holds = true;               ///< whether any integrator was found to hold the tolerance
+  /// [s] End of the trial; ∞ if none.
+  double tried_until = std::numeric_limits<double>::infinity();
+  bool cut_short = false;     ///< whether that is before the world's horizon
+  bool by_estimates = false;  ///< the integrator's own estimates divide its steps so that the
+                              ///< tolerance is held
+};
+
+/// What follows any motion within the tolerance, at a higher price than what a trial finds: dop853
+/// with steps divided by its error estimates.
+MethodChoice errorControlled();
+
+}  // namespace rigid_body_sim

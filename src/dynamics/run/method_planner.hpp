@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "dynamics/run/group.hpp"
+#include "dynamics/run/method_trial.hpp"
+
+namespace rigid_body_sim {
+
+/// Decides how each group is advanced: by the integrator that the scene names; with auto, solved
+/// where that is possible, else by the cheapest integrator for the motion that the scene predicts,
+/// or by one that its own error estimates control where something else happens.
+class MethodPlanner {
+ public:
+  /// Throws std::invalid_argument for an integrator that is unknown.
+  explicit MethodPlanner(const World& world);
+
+  /// In a run at twice the step, that estimates errors, a substep may turn twice as far, too.
+  void doubleTurns() { max_turn_share_ *= 2; }
+
+  /// Throws std::invalid_argument, naming the body, where the integrator does not support what the
+  /// group needs.
+  void requireSupport(unsigned needs, const std::string& body) const;
+
+  /// For a group that forms at the start of a run. scheduled: whether the scene's wrenches are to
+  /// come, as at the start of time; trials: groups that share the time there is for trials.
+  MethodChoice atStart(const World& world, const LawTable& laws, const CoupledBodies& group,
+                       const TrialStart& start, bool scheduled, std::size_t trials);
+
+  /// For a group that forms while the simulation runs, when there is no time for trials.
+  MethodChoice later(const World& world, const CoupledBodies& group,
+                     const std::vector<WrenchSchedule>& schedules) const;
+
+  /// Takes the choices of a former run over.
+  void take(const std::vector<MotionPlan>& plans);
+
+ private:
+  using Members = std::vector<std::size_t>;
+
+  const Method* method_;  // null: auto
+  double max_turn_share_ = 1;
+  /// Of auto's trials, by members; first without the scene's wrenches, then with them.
+  std::map<Members, MethodChoice> choices_[2];
+  std::map<Members, MethodChoice> taken_;
+};
+
+MotionPlan toPlan(const Group& group);
+
+}  // namespace rigid_body_sim

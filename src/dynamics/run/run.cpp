@@ -1,0 +1,220 @@
+#include "dynamics/run/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace rigid_body_sim {
+namespace {
+
+/// The first quantity of a state that is not finite; null when all are.
+const char* nonFiniteQuantity(const BodyState& s) {
+  if (!s.x_W.allFinite() || !s.x_low_W.allFinite()) return "position is no longer finite";
+  if (!s.q_WP.coeffs().allFinite()) return "attitude is no longer finite";
+  if (!s.p_W.allFinite()) return "momentum is no longer finite";
+  if (!s.L_W.allFinite() || !s.L_P.allFinite()) return "angular momentum is no longer finite";
+  return nullptr;
+}
+
+/// Finite only where all coefficients are: one test for the rule, nonFiniteQuantity for the rest.
+double sumOfAll(const BodyState& s) {
+  return (s.x_W + s.x_low_W + s.p_W + s.L_W + s.L_P).sum() + s.q_WP.coeffs().sum();
+}
+
+/// Throws for a group that has been advanced from t to what is not finite.
+void requireFinite(const World& world, const Group& group, double t) {
+  const SystemState& next = group.advanced();
+  for (std::size_t k = 0; k < next.bodies.size(); ++k) {
+    if (std::isfinite(sumOfAll(next.bodies[k]))) continue;
+    if (const char* quantity = nonFiniteQuantity(next.bodies[k]))
+      throw SimulationDiverged(t, world.bodies[group.members()[k]].name, quantity);
+  }
+  for (double own : next.laws)
+    if (!std::isfinite(own))
+      throw SimulationDiverged(t, world.bodies[group.members()[0]].name,
+                               "state of a law on it is no longer finite");
+}
+
+}  // namespace
+
+void Run::step() { stepMetered(); }
+void Run::step(ExchangeMeter& meter) { stepMetered(meter); }
+
+/// One step; of groups whose motion is known beyond it only if they are metered.
+template <class... Meter>
+void Run::stepMetered(Meter&... meter) {
+  const double t_end = static_cast<double>(steps_ + 1) * world_->solver.time_step;
+  step_.advanced.clear();
+  step_.scheduled.clear();
+  try {
+    if (next_link_ <= t_end || !watches_.empty()) advanceLinking(t_end, meter...);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (t_end < known_until_[g] && sizeof...(Meter) == 0) continue;
+      begin(g, t_end);
+      advance(groups_[g], t_end, schedules_, meter...);
+    }
+  } catch (const SimulationDiverged&) {
+    takeBack();
+    throw;
+  }
+  accept(t_end);
+}
+
+/// Advances a group to states that are finite.
+template <class... Meter>
+void Run::advance(Group& group, double t_end, std::vector<WrenchSchedule>& schedules,
+                  Meter&... meter) const {
+  const double t = std::max(time_, group.time());
+  try {
+    group.advance(t, t_end, schedules, meter...);
+  } catch (const StepTooLong& reason) {
+    throw SimulationDiverged(t, world_->bodies[group.members()[0]].name, reason.what());
+  }
+  requireFinite(*world_, group, t);
+}
+
+/// Keeps what takeBack needs.
+void Run::begin(std::size_t group, double t_end) {
+  known_until_[group] = kNotKnown;
+  step_.advanced.push_back(group);
+  for (std::size_t body : groups_[group].members())
+    if (schedules_[body].nextEvent() <= t_end && !schedules_[body].isInStep()) {
+      schedules_[body].beginStep();
+      step_.scheduled.push_back(body);
+    }
+}
+
+/// Makes a step that has failed one that was never begun.
+void Run::takeBack() {
+  for (std::size_t body : step_.scheduled) schedules_[body].takeBack();
+  if (step_.regrouped.empty()) {
+    for (std::size_t g : step_.advanced) groups_[g].rollBack(schedules_);
+  } else {
+    takeBackGroups();
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    known_until_[g] = groups_[g].knownUntil(schedules_);
+}
+
+/// The same where groups were linked or parted in the step.
+void Run::takeBackGroups() {
+  std::vector<std::size_t> bodies;
+  for (const Group& found : step_.regrouped)
+    bodies.insert(bodies.end(), found.members().begin(), found.members().end());
+  const std::int64_t evaluations = evaluations_;
+  removeGroups(bodies);
+  evaluations_ = evaluations;
+  for (Group& group : groups_) group.rollBack(schedules_);
+  for (Group& found : step_.regrouped) addGroup(std::move(found));
+  law_states_ = step_.law_states;
+  step_.regrouped.clear();
+  findNextLink();
+}
+
+/// Makes the step's end the present.
+void Run::accept(double t_end) {
+  for (std::size_t body : step_.scheduled) schedules_[body].accept();
+  std::vector<std::size_t> switched;
+  for (std::size_t g : step_.advanced) {
+    groups_[g].accept(t_end);
+    known_until_[g] = groups_[g].knownUntil(schedules_);
+    if (groups_[g].switchedModes()) {
+      const auto& members = groups_[g].members();
+      switched.insert(switched.end(), members.begin(), members.end());
+    }
+  }
+  time_ = t_end;
+  ++steps_;
+  if (!step_.regrouped.empty()) {
+    step_.regrouped.clear();
+    findNextLink();
+  }
+  if (!switched.empty()) regroup(switched, t_end);
+}
+
+BodyState Run::body(std::size_t body) const {
+  if (world_->bodies[body].fixed) return start_->bodies[body];
+  return groups_[group_of_[body]].at(time_, member_of_[body]);
+}
+
+std::vector<double> Run::lawStates() const {
+  std::vector<double> states = law_states_;
+  if (!states.empty())
+    for (const Group& group : groups_) group.putLawStates(laws_, states);
+  return states;
+}
+
+State Run::state() const {
+  State state;
+  state.t = time_;
+  state.laws = lawStates();
+  state.bodies.reserve(world_->bodies.size());
+  for (std::size_t i = 0; i < world_->bodies.size(); ++i) state.bodies.push_back(body(i));
+  state.anchors.resize(world_->bodies.size());
+  for (const Group& group : groups_) {
+    for (std::size_t k = 0; k < group.members().size(); ++k)
+      state.anchors[group.members()[k]] = group.anchorOf(k);
+    state.plans.push_back(toPlan(group));
+  }
+  return state;
+}
+
+State Run::sample(double t) const {
+  if (next_link_ <= t || !watches_.empty()) return sampleLinking(t);
+  State sampled;
+  sampled.t = t;
+  sampled.laws = lawStates();
+  sampled.bodies = start_->bodies;
+  std::vector<WrenchSchedule> schedules;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const std::vector<std::size_t>& members = groups_[g].members();
+    if (t < known_until_[g] || t <= time_) {
+      for (std::size_t k = 0; k < members.size(); ++k)
+        sampled.bodies[members[k]] = groups_[g].at(std::max(t, time_), k);
+      continue;
+    }
+    if (schedules.empty()) schedules = schedules_;
+    Group group = groups_[g];
+    advance(group, t, schedules);
+    group.accept(t);
+    for (std::size_t k = 0; k < members.size(); ++k)
+      sampled.bodies[members[k]] = group.present().bodies[k];
+    if (!sampled.laws.empty()) group.putLawStates(laws_, sampled.laws);
+  }
+  return sampled;
+}
+
+/// The same where bodies may be linked or parted meanwhile: a copy goes there.
+State Run::sampleLinking(double t) const {
+  Run copy = *this;
+  if (t > time_) {
+    copy.advanceLinking(t);
+    for (Group& group : copy.groups_) {
+      copy.advance(group, t, copy.schedules_);
+      group.accept(t);
+    }
+    copy.time_ = t;
+  }
+  State sampled = copy.state();
+  sampled.anchors.clear();
+  sampled.plans.clear();
+  return sampled;
+}
+
+int Run::maxSubsteps() const {
+  int most = max_substeps_;
+  for (const Group& group : groups_) most = std::max(most, group.maxSubsteps());
+  return most;
+}
+
+std::int64_t Run::evaluations() const {
+  std::int64_t sum = evaluations_;
+  for (const Group& group : groups_) sum += group.evaluations();
+  return sum;
+}
+
+template void Run::advance(Group&, double, std::vector<WrenchSchedule>&) const;
+template void Run::advance(Group&, double, std::vector<WrenchSchedule>&, ExchangeMeter&) const;
+
+}  // namespace rigid_body_sim

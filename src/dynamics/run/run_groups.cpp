@@ -1,0 +1,282 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "dynamics/run/run.hpp"
+
+/// Which bodies a run advances together, and how.
+namespace rigid_body_sim {
+
+Run::Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start)
+    : world_(std::move(world)), start_(std::move(start)), laws_(*world_), planner_(*world_) {
+  for (const PointWrench& wrench : world_->wrenches)
+    if (!HeldWrench::holds(wrench))
+      planner_.requireSupport(kCoupling, world_->bodies[wrench.body].name);
+  for (std::size_t law : laws_.guarded())
+    watches_.emplace_back(*world_, law, laws_.firstState(law));
+  for (const auto& law : world_->laws)
+    planner_.requireSupport(law->needs(), world_->bodies[law->members().front()].name);
+  planner_.take(start_->plans);
+  place(*start_, true);
+}
+
+Run Run::atTwiceTheStep() const {
+  Run coarse = *this;
+  World world = *world_;
+  world.solver.time_step *= 2;
+  world.solver.tolerance_stated = false;
+  coarse.world_ = std::make_shared<const World>(std::move(world));
+  coarse.planner_.doubleTurns();
+  coarse.steps_ = steps_ / 2;
+  coarse.law_states_ = lawStates();
+  coarse.watches_.clear();
+  for (std::size_t law : laws_.guarded())
+    coarse.watches_.emplace_back(*coarse.world_, law, laws_.firstState(law));
+  coarse.groups_.clear();
+  coarse.known_until_.clear();
+  for (const Group& group : groups_) {
+    MethodChoice choice = group.choice();
+    choice.max_turn_share *= 2;
+    std::vector<BodyState> states;
+    for (std::size_t k = 0; k < group.members().size(); ++k) states.push_back(group.at(time_, k));
+    coarse.addGroup(Group(*coarse.world_, laws_, group.bodies(), choice, time_, std::move(states),
+                          coarse.law_states_, schedules_));
+  }
+  return coarse;
+}
+
+void Run::reset(bool restart_time) {
+  if (restart_time) return place(*start_, true);
+  State start = *start_;
+  start.t = time_;
+  start.anchors.clear();
+  start.plans.clear();
+  place(start, false);
+}
+
+/// Begins at a state. scheduled: with the wrenches of the scene that act or are to come.
+void Run::place(const State& start, bool scheduled) {
+  const double h = world_->solver.time_step;
+  steps_ = static_cast<std::int64_t>(std::llround(start.t / h));
+  time_ = static_cast<double>(steps_) * h;
+  schedules_.assign(world_->bodies.size(), WrenchSchedule());
+  if (scheduled)
+    for (const PointWrench& wrench : world_->wrenches)
+      schedules_[wrench.body].put("", onSteps(wrench, h), 0);
+  for (WrenchSchedule& schedule : schedules_) schedule.advanceTo(time_);
+  law_states_ = start.laws.empty() ? laws_.start(*world_) : start.laws;
+  max_substeps_ = 1;
+  evaluations_ = 0;
+  for (LawWatch& watch : watches_) watch.wakeUp();
+  formGroups(start, scheduled);
+  findNextLink();
+}
+
+void Run::formGroups(const State& start, bool scheduled) {
+  groups_.clear();
+  known_until_.clear();
+  group_of_.assign(world_->bodies.size(), 0);
+  member_of_.assign(world_->bodies.size(), 0);
+  const std::vector<CoupledBodies> all =
+      coupledBodies(*world_, laws_, law_states_, schedules_, movingBodies(*world_));
+  const auto trials = std::count_if(all.begin(), all.end(), [this](const CoupledBodies& bodies) {
+    return bodies.members.size() > 1 || needsOf(*world_, bodies, schedules_) != 0;
+  });
+  const TrialStart trial_start{time_, start.bodies, law_states_, schedules_};
+  for (const CoupledBodies& bodies : all) {
+    const MethodChoice choice = planner_.atStart(*world_, laws_, bodies, trial_start, scheduled,
+                                                 static_cast<std::size_t>(trials));
+    std::vector<BodyState> states;
+    for (std::size_t body : bodies.members) states.push_back(start.bodies[body]);
+    Group group(*world_, laws_, bodies, choice, time_, std::move(states), law_states_, schedules_);
+    if (!choice.method && !start.anchors.empty())
+      group.anchor(start.anchors[bodies.members[0]], schedules_);
+    addGroup(std::move(group));
+  }
+}
+
+void Run::addGroup(Group group) {
+  for (std::size_t k = 0; k < group.members().size(); ++k) {
+    group_of_[group.members()[k]] = groups_.size();
+    member_of_[group.members()[k]] = k;
+  }
+  known_until_.push_back(group.knownUntil(schedules_));
+  groups_.push_back(std::move(group));
+}
+
+std::vector<std::size_t> Run::groupsOf(const std::vector<std::size_t>& bodies) const {
+  std::set<std::size_t> groups;
+  for (std::size_t body : bodies)
+    if (!world_->bodies[body].fixed) groups.insert(group_of_[body]);
+  return {groups.begin(), groups.end()};
+}
+
+/// Those of which any of the bodies is a member. What a run counts outlives them.
+void Run::removeGroups(const std::vector<std::size_t>& bodies) {
+  const std::vector<std::size_t> groups = groupsOf(bodies);
+  for (auto g = groups.rbegin(); g != groups.rend(); ++g) {
+    max_substeps_ = std::max(max_substeps_, groups_[*g].maxSubsteps());
+    evaluations_ += groups_[*g].evaluations();
+    if (*g + 1 < groups_.size()) {
+      groups_[*g] = std::move(groups_.back());
+      known_until_[*g] = known_until_.back();
+      for (std::size_t body : groups_[*g].members()) group_of_[body] = *g;
+    }
+    groups_.pop_back();
+    known_until_.pop_back();
+  }
+}
+
+/// Forms the groups of these bodies anew at time t, the present of all of them: what is linked as
+/// before goes on as it is.
+void Run::regroup(const std::vector<std::size_t>& bodies, double t) {
+  std::vector<std::size_t> all;
+  for (std::size_t g : groupsOf(bodies)) {
+    const std::vector<std::size_t>& members = groups_[g].members();
+    all.insert(all.end(), members.begin(), members.end());
+    groups_[g].putLawStates(laws_, law_states_);
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<Group> formed;
+  for (const CoupledBodies& linked : coupledBodies(*world_, laws_, law_states_, schedules_, all)) {
+    const MethodChoice choice = planner_.later(*world_, linked, schedules_);
+    const std::size_t g = group_of_[linked.members[0]];
+    const bool same = groups_[g].bodies() == linked;
+    const bool solvable = !choice.method;
+    if (same && solvable == !groups_[g].choice().method) continue;
+    std::vector<BodyState> states;
+    for (std::size_t body : linked.members)
+      states.push_back(groups_[group_of_[body]].at(t, member_of_[body]));
+    formed.push_back(
+        Group(*world_, laws_, linked, choice, t, std::move(states), law_states_, schedules_));
+  }
+  std::vector<std::size_t> changed;
+  for (const Group& group : formed)
+    changed.insert(changed.end(), group.members().begin(), group.members().end());
+  removeGroups(changed);
+  for (Group& group : formed) addGroup(std::move(group));
+  for (LawWatch& watch : watches_) watch.wakeUp();
+}
+
+void Run::findNextLink() {
+  next_link_ = std::numeric_limits<double>::infinity();
+  for (const WrenchSchedule& schedule : schedules_)
+    next_link_ = std::min(next_link_, schedule.nextCoupling());
+}
+
+/// The bodies that wrenches link or part at time t, and those at the other end.
+std::vector<std::size_t> Run::linkedFrom(double t) const {
+  std::vector<std::size_t> bodies;
+  for (std::size_t body = 0; body < schedules_.size(); ++body)
+    if (schedules_[body].nextCoupling() <= t) schedules_[body].addLinked(t, bodies);
+  return bodies;
+}
+
+/// The state of a body at a time within the step.
+BodyState Run::bodyAt(std::size_t body, double t) const {
+  if (world_->bodies[body].fixed) return start_->bodies[body];
+  const std::size_t g = group_of_[body];
+  if (t < known_until_[g] || t <= std::max(time_, groups_[g].time()))
+    return groups_[g].at(t, member_of_[body]);
+  Group group = groups_[g];
+  std::vector<WrenchSchedule> schedules = schedules_;
+  advance(group, t, schedules);
+  return group.advanced().bodies[member_of_[body]];
+}
+
+/// Advances those groups that wrenches link or part within the step, or a law that begins to act,
+/// to that instant, and forms them anew there.
+template <class... Meter>
+void Run::advanceLinking(double t_end, Meter&... meter) {
+  step_.law_states = lawStates();
+  const auto motion = [this](std::size_t body, double t) { return bodyAt(body, t); };
+  double t = time_;
+  constexpr int kMaxLinks = 10000;
+  for (int links = 0;; ++links) {
+    if (links == kMaxLinks)
+      throw SimulationDiverged(time_, world_->bodies[0].name, "a step links bodies 10000 times");
+    if (links > 0) findNextLink();
+    double next = next_link_;
+    LawWatch* beginning = nullptr;
+    for (LawWatch& watch : watches_) {
+      const double* own = law_states_.data() + watch.firstState();
+      if (world_->laws[watch.law()]->acts(own)) continue;
+      const std::optional<double> event = watch.firstEvent(t, std::min(t_end, next), own, motion);
+      if (!event) continue;
+      next = *event;
+      beginning = &watch;
+    }
+    if (!(next <= t_end)) return;
+    const std::vector<std::size_t> bodies = beginning ? beginning->members() : linkedFrom(next);
+    advanceTo(next, t_end, bodies, meter...);
+    if (beginning)
+      beginning->switchModes(next, law_states_.data() + beginning->firstState(), motion);
+    regroup(bodies, next);
+    t = next;
+  }
+}
+
+/// Advances the groups of these bodies to an instant t within the step, for good or until the step
+/// is taken back.
+template <class... Meter>
+void Run::advanceTo(double t, double t_end, const std::vector<std::size_t>& bodies,
+                    Meter&... meter) {
+  for (std::size_t g : groupsOf(bodies)) {
+    begin(g, t_end);
+    step_.advanced.pop_back();  // it is another by the end of the step
+    const bool is_found = groups_[g].time() <= time_;
+    if (is_found) step_.regrouped.push_back(groups_[g]);
+    advance(groups_[g], t, schedules_, meter...);
+    groups_[g].accept(t);
+  }
+}
+
+template void Run::advanceLinking(double);
+template void Run::advanceLinking(double, ExchangeMeter&);
+
+void Run::put(const std::string& slot, const PointWrench& wrench) {
+  schedules_[wrench.body].put(slot, wrench, time_);
+  disturb(wrench.body);
+  restartGroup(wrench.body);
+  if (HeldWrench::holds(wrench)) return;
+  std::vector<std::size_t> bodies;
+  schedules_[wrench.body].advanceTo(time_);
+  schedules_[wrench.body].addLinked(time_, bodies);
+  bodies.push_back(wrench.body);
+  regroup(bodies, time_);
+  findNextLink();
+}
+
+bool Run::clear(std::size_t body, const std::string& slot) {
+  const bool all_held = schedules_[body].allHeld();
+  if (!(slot.empty() ? schedules_[body].clear() : schedules_[body].clear(slot))) return false;
+  disturb(body);
+  restartGroup(body);
+  if (!all_held) regroup({body}, time_);
+  if (std::isfinite(next_link_)) findNextLink();
+  return true;
+}
+
+void Run::setState(std::size_t body, const BodyState& state) {
+  disturb(body);
+  restartGroup(body);
+  groups_[group_of_[body]].setState(member_of_[body], state);
+}
+
+/// Begins anew from the present, what acts on a body or its state being another from now on.
+void Run::restartGroup(std::size_t body) {
+  Group& group = groups_[group_of_[body]];
+  for (std::size_t member : group.members()) schedules_[member].advanceTo(time_);
+  group.restart(time_, schedules_);
+  known_until_[group_of_[body]] = kNotKnown;
+}
+
+/// Bodies that act on one another no longer move as the scene predicted.
+void Run::disturb(std::size_t body) {
+  groups_[group_of_[body]].fallBackToErrorControl();
+  for (LawWatch& watch : watches_) watch.wakeUp();
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,197 @@
+#include "dynamics/run/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace rigid_body_sim {
+
+MethodChoice errorControlled() {
+  MethodChoice choice;
+  choice.method = &methodNamed("dop853");
+  choice.by_estimates = true;
+  return choice;
+}
+
+void Stepper::fallBackToErrorControl() {
+  if (choice_.by_estimates || std::isinf(choice_.tried_until)) return;
+  MethodChoice controlled = errorControlled();
+  controlled.max_turn_share = choice_.max_turn_share;
+  controlled.holds = choice_.holds;
+  choice_ = controlled;
+}
+
+Stepper::Stepper(const MethodChoice& choice, const ErrorBound& tolerance, const System& system)
+    : choice_(choice),
+      tolerance_(tolerance),
+      speed_matters_(std::any_of(system.flows.begin(), system.flows.end(),
+                                 [](const auto& law) { return law->rateGrowsWithSpeed(); })) {
+  std::vector<Stiffness> stiffness(system.bodies.size());
+  for (const auto& law : system.laws) law->addStiffness(system.bodies, stiffness);
+  for (const auto& law : system.flows) law->addStiffness(system.bodies, stiffness);
+  for (const auto& stateful : system.stateful_laws)
+    stateful.law->addStiffness(system.bodies, stiffness);
+  for (const Stiffness& of_body : stiffness)
+    law_rate_ = std::max({law_rate_, std::sqrt(of_body.frequency_squared), of_body.decay});
+}
+
+void Stepper::restart(const System& system) {
+  workspace_.wrenches_current = false;
+  const auto spins = [](const HeldWrench& held) { return !held.torqueFree(); };
+  torque_matters_ =
+      !system.coupled.empty() || std::any_of(system.held.begin(), system.held.end(), spins);
+}
+
+double Stepper::substepsNeeded(const System& system, double h, const SystemState& states) const {
+  return std::ceil(h * fastestRate(system, h, states) /
+                   (choice_.method->max_turn * choice_.max_turn_share));
+}
+
+/// [1/s] What turns, swings or decays fastest within a step of h.
+double Stepper::fastestRate(const System& system, double h, const SystemState& states) const {
+  double fastest = law_rate_;
+  for (std::size_t i = 0; i < states.bodies.size(); ++i)
+    fastest =
+        std::max(fastest, angularVelocity(system.bodies[i]->inv_I, states.bodies[i].L_P).norm());
+  fastest = std::max(fastest, fastestOfLaws(system, h, states));
+  return torque_matters_ ? std::max(fastest, rateBroughtAbout(system, h, states)) : fastest;
+}
+
+/// [1/s] At these states, and at the speeds that steady forces may bring about within h.
+double Stepper::fastestOfLaws(const System& system, double h, const SystemState& states) const {
+  std::vector<double> speeds;
+  for (std::size_t i = 0; speed_matters_ && i < states.bodies.size(); ++i) {
+    const Body& body = *system.bodies[i];
+    const HeldWrench& held = system.held[i];
+    const double push = body.mass * system.g_W.norm() + held.f_W.norm() + held.f_P.norm();
+    speeds.push_back((states.bodies[i].p_W.norm() + h * push) / body.mass);
+  }
+  double fastest = 0;
+  const ForceLaw::Bodies at{system.bodies, states.bodies};
+  for (const auto& law : system.laws) fastest = std::max(fastest, law->rate(at, speeds));
+  if (speed_matters_)
+    for (const auto& law : system.flows) fastest = std::max(fastest, law->rate(at, speeds));
+  forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& with_own) {
+    fastest = std::max(fastest, law.rate(with_own, speeds));
+  });
+  return fastest;
+}
+
+/// [1/s] What torques may spin a body up to within h.
+double Stepper::rateBroughtAbout(const System& system, double h, const SystemState& states) const {
+  double fastest = 0;
+  for (std::size_t i = 0; i < states.bodies.size(); ++i) {
+    const BodyState& s = states.bodies[i];
+    Wrench wrench = system.held[i].at(s);
+    for (const PointWrench& applied : system.coupled)
+      if (applied.body == i) addPointWrench(applied, states.bodies, wrench);
+    const Vector3d L_dot_P = rotateBack(s.q_WP, wrench.tau_W) + wrench.tau_P;
+    const Vector3d w_end_P =
+        angularVelocity(system.bodies[i]->inv_I, Vector3d(s.L_P + h * L_dot_P));
+    fastest = std::max(fastest, w_end_P.norm());
+  }
+  return fastest;
+}
+
+/// What the estimate of a step of h may reach, the motion changing at a rate: errors of attitude
+/// add up over the steps to the horizon; errors of momenta, relative, grow by the angle turned by
+/// then; those of a body at rest, by the time. At twice the step, in the run that estimates the
+/// error, it is what leaves as many substeps: an estimate of order 8 grows 2⁹-fold over a step
+/// twice as long.
+StepBound Stepper::stepBound(double h, double rate) const {
+  constexpr double kRounding = 1e-14;  // some ten roundings of a step that turns by a radian
+  const double share = h / tolerance_.horizon, turned = std::max(1.0, rate * tolerance_.horizon);
+  const double doubled = std::pow(choice_.max_turn_share, 8);
+  const StepBound follows;
+  return {std::clamp(tolerance_.attitude * share / turned * doubled, kRounding, follows.error),
+          std::min(tolerance_.attitude * share * share * doubled / choice_.max_turn_share,
+                   follows.idle)};
+}
+
+/// The number of substeps in which to take a step of h.
+int Stepper::divide(const System& system, double h, const SystemState& states) {
+  const double turn = h * fastestRate(system, h, states);
+  const double needed = std::ceil(turn / (choice_.method->max_turn * choice_.max_turn_share));
+  const double substeps = std::max<double>(choice_.substeps, needed);
+  constexpr double kMaxSubsteps = 1e5;
+  if (!(substeps <= kMaxSubsteps)) {
+    std::ostringstream reason;
+    reason << "a step spans " << turn << " rad of its turning, swinging or slowing down, more than "
+           << choice_.method->name << " follows in " << kMaxSubsteps << " substeps";
+    throw StepTooLong(reason.str());
+  }
+  if (choice_.by_estimates) workspace_.step_bound = stepBound(h / substeps, turn / h);
+  if (needed > choice_.substeps) max_substeps_ = std::max(max_substeps_, static_cast<int>(needed));
+  return static_cast<int>(substeps);
+}
+
+template <class Meter>
+bool Stepper::advance(const System& system, double t, double h, SystemState& states, Meter& meter) {
+  const int count = divide(system, h, states);
+  if (system.has_events) return takeSubsteps(system, t, h, count, states, meter);
+  for (int k = 0; k < count; ++k) {
+    visit(system, t + k * (h / count), h / count, states, meter);
+    takeStep(*choice_.method, system, h / count, states, workspace_);
+  }
+  return false;
+}
+
+/// Substeps that end at events. Returns whether there were any.
+template <class Meter>
+bool Stepper::takeSubsteps(const System& system, double t, double h, int count, SystemState& states,
+                           Meter& meter) {
+  const double t_end = t + h, substep = h / count;
+  bool switched = false;
+  constexpr int kMaxEvents = 100000;
+  for (int taken = 0; t < t_end; ++taken) {
+    if (taken > count + kMaxEvents) throw StepTooLong("a step holds more than 100000 events");
+    // what is left by rounding goes into the last
+    const double left = t_end - t;
+    const double length = left < 1.5 * substep && left > substep ? left : std::min(left, substep);
+    const double done = takeSubstep(system, t, length, states, meter);
+    if (done < length) {
+      meter.addEnergy(switchModes(system, states));
+      workspace_.wrenches_current = false;
+      switched = true;
+    }
+    t = done < length ? t + done : (length == left ? t_end : t + length);
+  }
+  return switched;
+}
+
+/// At most one substep of h, up to an event. Returns its length.
+template <class Meter>
+double Stepper::takeSubstep(const System& system, double t, double h, SystemState& states,
+                            Meter& meter) {
+  const SystemState start = states;
+  takeStep(*choice_.method, system, h, states, workspace_);
+  scratch_.step_bound = workspace_.step_bound;
+  // times from the start of the substep, so that rounding of the time does not limit the location
+  const MotionPiece piece(system, *choice_.method, start, 0, h, scratch_);
+  const double event = events_.firstEvent(piece, start, states);
+  visit(system, t, event, start, meter);
+  return event;
+}
+
+/// Shows the meter a substep that is about to be taken.
+template <class Meter>
+void Stepper::visit(const System& system, double t, double h, const SystemState& states,
+                    Meter& meter) {
+  if constexpr (!std::is_same_v<Meter, NoMeter>) {
+    scratch_.step_bound = workspace_.step_bound;
+    if (!choice_.method->claimsTo(kSolves))
+      return meter(MotionPiece(system, *choice_.method, states, t, t + h, scratch_));
+    const SolvedProblem problem{*system.bodies[0], system.held[0], system.g_W, {}};
+    SolvedMotion motion(problem, t, states.bodies[0], t + h);
+    followSolved(problem, t, t + h, t + h, motion,
+                 [&](const SolvedMotion& solved, double from, double to) {
+                   meter(MotionPiece(system, solved, from, to));
+                 });
+  }
+}
+
+template bool Stepper::advance(const System&, double, double, SystemState&, NoMeter&);
+template bool Stepper::advance(const System&, double, double, SystemState&, ExchangeMeter&);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "dynamics/run/event_search.hpp"
+#include "dynamics/run/exchange_meter.hpp"
+#include "dynamics/run/method_choice.hpp"
+
+namespace rigid_body_sim {
+
+/// Where nobody samples the motion; costs nothing.
+struct NoMeter {
+  void operator()(const MotionPiece&) {}
+  void addEnergy(double) {}
+};
+
+/// Advances a system by an integrator, over steps of any length: the one place where steps are
+/// divided, so that the integrator can follow what turns, swings or decays fastest.
+class Stepper {
+ public:
+  /// tolerance: what auto promises, for an integrator that is controlled by its estimates.
+  Stepper(const MethodChoice& choice, const ErrorBound& tolerance, const System& system);
+
+  const MethodChoice& choice() const { return choice_; }
+
+  /// Largest number of substeps that a step was divided into so far beyond what was asked for,
+  /// because something turned, swung or decayed too fast; 1 when none was.
+  int maxSubsteps() const { return max_substeps_; }
+
+  /// Evaluations of all wrenches so far.
+  std::int64_t evaluations() const { return workspace_.evaluations; }
+
+  /// To be called when the motion is no longer the one on which the choice was tried: falls back to
+  /// dop853 controlled by its own error estimates.
+  void fallBackToErrorControl();
+
+  /// To be called when what acts on the system has changed, or its state other than by advance().
+  void restart(const System& system);
+
+  /// Substeps without which the integrator cannot follow a step of h from these states.
+  double substepsNeeded(const System& system, double h, const SystemState& states) const;
+
+  /// Advances the states from t by h, through the events of laws. Returns whether there were any.
+  /// Throws StepTooLong.
+  template <class Meter>
+  bool advance(const System& system, double t, double h, SystemState& states, Meter& meter);
+
+ private:
+  double fastestRate(const System& system, double h, const SystemState& states) const;
+  double fastestOfLaws(const System& system, double h, const SystemState& states) const;
+  double rateBroughtAbout(const System& system, double h, const SystemState& states) const;
+  StepBound stepBound(double h, double rate) const;
+  int divide(const System& system, double h, const SystemState& states);
+  template <class Meter>
+  bool takeSubsteps(const System& system, double t, double h, int count, SystemState& states,
+                    Meter& meter);
+  template <class Meter>
+  double takeSubstep(const System& system, double t, double h, SystemState& states, Meter& meter);
+  template <class Meter>
+  void visit(const System& system, double t, double h, const SystemState& states, Meter& meter);
+
+  MethodChoice choice_;
+  ErrorBound tolerance_;
+  Workspace workspace_;
+  Workspace scratch_;            // for looking into a substep
+  EventSearch events_;           // of the laws
+  double law_rate_ = 0;          // [1/s] the fastest that laws bring about at any state
+  bool speed_matters_ = false;   // whether a law's rate grows with speed
+  bool torque_matters_ = false;  // whether torques other than the laws' may spin a body up
+  int max_substeps_ = 1;
+};
+
+}  // namespace rigid_body_sim
