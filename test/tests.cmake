@@ -13,7 +13,7 @@ function(rigid_body_sim_gtest name)
   endforeach()
   catkin_add_gtest(${target} ${ARG_SOURCES})
   target_include_directories(${target} PRIVATE test)
-  target_link_libraries(${target} ${ARG_LIBRARIES} rigid_body_sim_options gtest_main)
+  target_link_libraries(${target} ${ARG_LIBRARIES} rigid_body_sim_options gtest_main gmock)
   # helpers of the same name in several files are no fault
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   add_dependencies(rigid_body_sim_gtests ${target})
