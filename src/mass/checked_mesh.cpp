@@ -78,8 +78,8 @@ Vector3d weldTolerance(const TriangleMesh& mesh, const Vector3d& rounding) {
 
 std::string weldNotice(const WeldedMesh& weld, std::size_t open_edges, const Vector3d& tolerance) {
   std::ostringstream notice;
-  notice << "mesh has " << open_edges << " open edges: " << weld.vertices
-         << " vertices are welded to others at most " << weld.distance
+  notice << "mesh has " << open_edges << " open edges, and is closed: of its vertices, "
+         << weld.vertices << " are welded to others at most " << weld.distance
          << " m away, within the rounding of the file's numbers (" << tolerance.maxCoeff() << " m)";
   return notice.str();
 }

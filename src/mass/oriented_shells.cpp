@@ -54,14 +54,12 @@ std::vector<std::string> doubleVolumeNotices(const std::vector<Shell>& shells,
     if (same && same_sense++ == 0) first = i;
   }
   if (same_sense > 0)
-    notices.push_back("mesh has " + std::to_string(same_sense) +
-                      " shells within another that is oriented the same way, the first " +
-                      placeOf(shells[first]) +
+    notices.push_back("shells within another that is oriented the same way: " +
+                      std::to_string(same_sense) + ", the first " + placeOf(shells[first]) +
                       ": their volume counts twice; to make them cavities, turn them inside out");
   if (nesting.overlaps > 0)
-    notices.push_back("mesh has " + std::to_string(nesting.overlaps) +
-                      " pairs of shells that overlap, the first " +
-                      placeOf(shells[nesting.first_overlap.first]) + " and " +
+    notices.push_back("pairs of shells that overlap: " + std::to_string(nesting.overlaps) +
+                      ", the first " + placeOf(shells[nesting.first_overlap.first]) + " and " +
                       placeOf(shells[nesting.first_overlap.second]) +
                       ": the volume that they share counts twice");
   return notices;

@@ -77,11 +77,11 @@ TEST(Shells, WithinOneAnotherOfTheSameSenseAreNamed) {
   const Outcome nested = outcome(together(cube(), cube(0.5)));
   EXPECT_DOUBLE_EQ(nested.volume, 1.125);
   EXPECT_THAT(nested.notices,
-              ElementsAre("mesh has 1 shells within another that is oriented the same way, the "
+              ElementsAre("shells within another that is oriented the same way: 1, the "
                           "first from [-0.25 -0.25 -0.25] to [0.25 0.25 0.25] m: their volume "
                           "counts twice; to make them cavities, turn them inside out"));
   const TriangleMesh two = together(together(cube(), insideOut(cube(0.5))), insideOut(cube(0.2)));
-  EXPECT_THAT(outcome(two).notices, ElementsAre(StartsWith("mesh has 1 shells within another")));
+  EXPECT_THAT(outcome(two).notices, ElementsAre(StartsWith("shells within another")));
 }
 
 TEST(Shells, ThatOverlapAreNamed) {
@@ -98,7 +98,7 @@ TEST(Shells, ThatOverlapAreNamed) {
         together(triangulated(Sphere{1}, 16),
                  translated({0.1, 0, 0}, triangulated(Sphere{1}, 24)))}) {
     EXPECT_THAT(outcome(pair).notices,
-                ElementsAre(StartsWith("mesh has 1 pairs of shells that overlap, the first from")));
+                ElementsAre(StartsWith("pairs of shells that overlap: 1, the first from")));
     EXPECT_THAT(outcome(transformed(X, pair)).notices, ElementsAre(HasSubstr("overlap")));
   }
 }

@@ -63,7 +63,8 @@ TEST(Welding, SaysWhatItWelded) {
   mesh.vertices[4].x() += kUlp;
   const CheckedMesh checked = checkedMesh(mesh, kRounding);
   EXPECT_THAT(checked.notices,
-              ElementsAre("mesh has 4 open edges: 1 vertices are welded to others at most "
+              ElementsAre("mesh has 4 open edges, and is closed: of its vertices, 1 are welded to "
+                          "others at most "
                           "1.19209e-07 m away, within the rounding of the file's numbers "
                           "(4.76837e-07 m)"));
 }

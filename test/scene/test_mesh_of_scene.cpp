@@ -226,7 +226,7 @@ TEST_F(MeshOfScene, IsClosedWhereItsCornersDifferByTheRoundingOfItsNumbers) {
     mass.com_B.setZero();
     EXPECT_TRUE(sameMass(mass, expected, 1e-6)) << name;
     ASSERT_EQ(loaded.notices.size(), 1U) << name;
-    EXPECT_THAT(loaded.notices[0], HasSubstr(" vertices are welded to others at most "));
+    EXPECT_THAT(loaded.notices[0], HasSubstr(" are welded to others at most "));
   }
   // of sixteen digits none of which is rounding
   files_.written("scenes/exact.obj", objOf(rounded(), 16));
