@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -127,12 +128,13 @@ class Recorded : public ::testing::Test {
 
   Simulation run = simulationOf(kScene);
   std::vector<Input> inputs;
-  TimeOrigin origin;
+  TimeOrigin origin{ros::Time(1000)};  // a wall clock
   Inputs node{{[] { return 1; },
                [this](const Input& message, const ros::Time&) { inputs.push_back(message); }},
               "world",
               run,
-              origin};
+              origin,
+              0};
 };
 
 }  // namespace
@@ -205,13 +207,48 @@ TEST_F(Recorded, NothingIsRecordedWithoutSubscribers) {
   std::vector<Input> recorded;
   Inputs unheard({[&] { return subscribers; },
                   [&](const Input& message, const ros::Time&) { recorded.push_back(message); }},
-                 "world", run, origin);
+                 "world", run, origin, 0);
   unheard.apply(ClearInput{});
   EXPECT_TRUE(recorded.empty());
   subscribers = 1;
   unheard.apply(ClearInput{});
   ASSERT_EQ(recorded.size(), 1U);
   EXPECT_EQ(recorded[0].number, 1U);  // so that a replay knows that one is missing
+}
+
+// rosbag closes a bag on a message that comes while its clock is at zero
+TEST_F(Recorded, InputsAtTimeZeroAreRecordedOnceTheClockHasLeftIt) {
+  std::vector<Input> recorded;
+  const TimeOrigin zero;
+  Inputs held({[] { return 1; },
+               [&](const Input& message, const ros::Time&) { recorded.push_back(message); }},
+              "world", run, zero, 0.02);
+  const Inputs::Clock::time_point now;
+  held.apply(ClearInput{});
+  stepTo(5);
+  held.apply(ResetInput{true});  // what came before belongs to another run
+  held.apply(ClearInput{0, ""});
+  held.recordHeld(now + std::chrono::seconds(1));
+  EXPECT_TRUE(recorded.empty());
+  stepTo(1);  // the clock is sent every other step
+  held.recordHeld(now + std::chrono::seconds(2));
+  held.recordHeld(now + std::chrono::seconds(3));
+  EXPECT_TRUE(recorded.empty());
+  stepTo(2);
+  held.recordHeld(now + std::chrono::seconds(4));
+  held.apply(ClearInput{1, ""});
+  EXPECT_TRUE(recorded.empty());
+  held.recordHeld(now + std::chrono::seconds(4) + Inputs::kClockDelay);
+  ASSERT_EQ(recorded.size(), 3U);
+  EXPECT_EQ(recorded[0].kind, Input::RESTART);
+  EXPECT_EQ(recorded[0].step, 0U);
+  for (std::size_t i = 0; i < recorded.size(); ++i) {
+    EXPECT_EQ(recorded[i].run, 1U);
+    EXPECT_EQ(recorded[i].number, i);
+  }
+  EXPECT_EQ(recorded[2].step, 2U);
+  held.apply(ClearInput{});
+  EXPECT_EQ(recorded.size(), 4U);
 }
 
 TEST_F(Recorded, RunThatLacksAnInputIsRefused) {

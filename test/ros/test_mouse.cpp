@@ -91,6 +91,7 @@ bodies:
                 "world",
                 simulation,
                 origin,
+                0,
                 [this](const SimulationInput& input) { mouse.follow(input); }};
   Mouse mouse{simulation, inputs, kTimeout};
 };

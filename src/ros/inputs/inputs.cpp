@@ -2,10 +2,15 @@
 
 #include <utility>
 
+#include <ros/console.h>
+
 #include "ros/inputs/input_messages.hpp"
 
 namespace rigid_body_sim {
 namespace {
+
+/// More than a person or a program applies at one instant.
+constexpr std::size_t kMaxHeld = 100000;
 
 bool restartsTime(const SimulationInput& input) {
   const auto* reset = std::get_if<ResetInput>(&input);
@@ -15,10 +20,11 @@ bool restartsTime(const SimulationInput& input) {
 }  // namespace
 
 Inputs::Inputs(Topic<Input> record, const std::string& world_frame, Simulation& simulation,
-               const TimeOrigin& origin, Listener listener)
+               const TimeOrigin& origin, double clock_period, Listener listener)
     : world_frame_(world_frame),
       simulation_(simulation),
       origin_(origin),
+      clock_period_(clock_period),
       listener_(std::move(listener)),
       record_(std::move(record)) {}
 
@@ -27,6 +33,8 @@ void Inputs::apply(const SimulationInput& input) {
   if (restartsTime(input)) {
     ++run_;
     number_ = 0;
+    held_.clear();
+    clock_runs_at_.reset();
   }
   if (record_.heard()) record(input);
   ++number_;
@@ -41,7 +49,20 @@ void Inputs::record(const SimulationInput& input) {
   message.number = number_;
   message.step = static_cast<std::uint64_t>(simulation_.steps());
   message.time = simulation_.time();
-  record_.publish(message, message.header.stamp);
+  if (!message.header.stamp.isZero() && held_.empty())
+    record_.publish(message, message.header.stamp);
+  else if (held_.size() < kMaxHeld)
+    held_.push_back(message);
+  else
+    ROS_WARN_ONCE("more than %zu inputs at time zero: the record on ~inputs lacks some", kMaxHeld);
+}
+
+void Inputs::recordHeld(Clock::time_point now) {
+  if (held_.empty() || simulation_.time() <= 0 || simulation_.time() < clock_period_) return;
+  if (!clock_runs_at_) clock_runs_at_ = now + kClockDelay;
+  if (now < *clock_runs_at_) return;
+  for (const Input& message : held_) record_.publish(message, message.header.stamp);
+  held_.clear();
 }
 
 }  // namespace rigid_body_sim

@@ -56,6 +56,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       outputs_(rosTopics(queues_.nh, simulation_.world(), options), options, scene, simulation_,
                time_.origin()),
       inputs_(inputsTopic(queues_.nh), scene.world_frame, simulation_, time_.origin(),
+              options.publish_clock ? 1 / options.clock_rate : 0,
               [this](const SimulationInput& input) { follow(input); }),
       monitor_(queues_.nh, queues_.private_nh, scene.world_frame, simulation_, time_.origin()),
       mouse_(simulation_, inputs_, options.wrench_timeout),
@@ -107,6 +108,7 @@ void SimulationNode::serve(double seconds) {
   if (time_.takeSetBack()) inputs_.apply(ResetInput{true});
   const SteadyClock::time_point now = SteadyClock::now();
   handles_.keepAlive(now);
+  inputs_.recordHeld(now);
   if (monitor_.isDue(now)) report();
 }
 

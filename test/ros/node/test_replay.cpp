@@ -97,6 +97,7 @@ class Replay : public ::testing::Test {
       return !inputs.empty() && !states.empty() && isComplete(states.rbegin()->first);
     }));
     call<std_srvs::Trigger>("reset", {});
+    call<Step>("step", steps(1));  // inputs at time zero are recorded once the clock has left it
     ASSERT_TRUE(NodeDriver::waitFor([&] { return inputs.back().kind == Input::RESTART; }));
     states.clear();
     odometry.clear();
