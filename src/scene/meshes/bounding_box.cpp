@@ -103,7 +103,7 @@ Points normalsOfLargest(const TriangleMesh& hull, std::size_t most) {
 }
 
 AlongAxes turnedWhileItShrinks(AlongAxes box, const Points& points) {
-  constexpr int kMostTurns = 30;
+  constexpr int kMostTurns = 12;
   for (int turn = 0, in_vain = 0; turn < kMostTurns && in_vain < 3; ++turn) {
     const AlongAxes turned = smallestAbout(box.axes.col(turn % 3), points);
     const bool shrinks = turned.volume() < (1 - 1e-9) * box.volume();
@@ -130,7 +130,7 @@ TriangleMesh boundingBox(const TriangleMesh& hull) {
   const Vector3d origin = hull.vertices.front();
   Points points = hull.vertices;
   for (Vector3d& p : points) p -= origin;
-  const std::size_t most = std::clamp<std::size_t>(20000000 / points.size(), 6, 200);
+  const std::size_t most = std::clamp<std::size_t>(2000000 / points.size(), 6, 200);
   AlongAxes best = spanOf(points, Matrix3d::Identity());
   for (const Vector3d& n : normalsOfLargest(hull, most)) {
     const AlongAxes box = smallestAbout(n, points);

@@ -5,7 +5,7 @@
 namespace rigid_body_sim {
 
 /// A small oriented box around a convex hull, as a closed mesh. Of all boxes with one face along a
-/// facet of the hull (its 200 largest, fewer for hulls of more than 100 000 vertices) the smallest,
+/// facet of the hull (its 200 largest, fewer for hulls of more than 10 000 vertices) the smallest,
 /// then turned about each of its axes to the smallest there, until it shrinks no more. That is the
 /// smallest box of all for boxes, prisms and cylinders; for others it need not be, but every
 /// vertex lies in it.
