@@ -10,7 +10,7 @@ namespace rigid_body_sim {
 /// What is modelled of each body and how it is solved, a line a body:
 ///   wing_nut: free, asymmetric, exact
 ///   crate: gravity, wrenches, Taylor
-///   upper: spring, drag, dop853, h <= 0.5 ms (2 substeps a step)
+///   upper: spring, drag, dop853 in substeps of 0.5 ms (2 per step)
 ///   table: fixed
 /// Of the wrenches, those that the world schedules. Further lines say where auto found no
 /// integrator to hold the tolerance.

@@ -63,18 +63,26 @@ const char* kindOf(const Body& body) {
   return "asymmetric";
 }
 
-/// "asymmetric, exact", "Taylor", "dop853, h <= 0.5 ms (2 substeps a step)"
+/// "45.7 ms"
+std::string stepText(double h) {
+  std::ostringstream text;
+  text.precision(3);
+  text << (h < 1 ? 1e3 * h : h) << (h < 1 ? " ms" : " s");
+  return text.str();
+}
+
+/// "asymmetric, exact", "Taylor", "dop853 in steps of 1 ms", or in substeps, see describeSolution
 std::string howSolved(const World& world, const Body& body, const MotionPlan& plan,
                       bool flies_freely) {
   if (plan.integrator.empty())
     return flies_freely ? std::string(kindOf(body)) + ", exact" : "Taylor";
   std::ostringstream text;
-  const double h = world.solver.time_step / plan.substeps;
-  text << plan.integrator << ", h <= " << (h < 1 ? 1e3 * h : h) << (h < 1 ? " ms" : " s");
-  if (plan.substeps > 1) text << " (" << plan.substeps << " substeps a step)";
-  if (plan.by_estimates) text << " by its own error estimates";
+  text << plan.integrator << " in " << (plan.substeps > 1 ? "sub" : "") << "steps of "
+       << (plan.by_estimates ? "at most " : "") << stepText(world.solver.time_step / plan.substeps);
+  if (plan.substeps > 1) text << " (" << plan.substeps << " per step)";
+  if (plan.by_estimates) text << ", shortened where its own error estimates ask for it";
   if (plan.cut_short)
-    text << ", from " << plan.tried_until << " s on dop853 by its own error estimates";
+    text << "; from " << plan.tried_until << " s on dop853 by its own error estimates";
   return text.str();
 }
 

@@ -40,11 +40,12 @@ TEST(DescribeSolution, SaysWhatActsAndHowItIsSolved) {
   table.fixed = true;
   bench.add(table, BodyFrameMotion());
   bench.add(principalBody("loose", 1, {1, 2, 3}), BodyFrameMotion());
-  EXPECT_EQ(describeSolution(bench.simulation("rk4", 0.002)),
-            (Lines{"upper: spring, rk4, h <= 2 ms", "lower: spring, drag, rk4, h <= 2 ms",
-                   "table: fixed", "loose: free, rk4, h <= 2 ms"}));
+  EXPECT_EQ(
+      describeSolution(bench.simulation("rk4", 0.002)),
+      (Lines{"upper: spring, rk4 in steps of 2 ms", "lower: spring, drag, rk4 in steps of 2 ms",
+             "table: fixed", "loose: free, rk4 in steps of 2 ms"}));
   EXPECT_EQ(describeSolution(test::satellite().simulation("strang", 0.001)),
-            Lines{"satellite: central gravity, strang, h <= 1 ms"});
+            Lines{"satellite: central gravity, strang in steps of 1 ms"});
 }
 
 TEST(DescribeSolution, NamesTheIntegratorThatAutoChose) {
@@ -55,9 +56,9 @@ TEST(DescribeSolution, NamesTheIntegratorThatAutoChose) {
   ASSERT_GT(plan.substeps, 1);
   const Lines lines = describeSolution(sim);
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0].find("upper: spring, " + plan.integrator + ", h <= "), 0u)
+  EXPECT_EQ(lines[0].find("upper: spring, " + plan.integrator + " in substeps of "), 0u)
       << lines[0];
-  EXPECT_NE(lines[0].find("(" + std::to_string(plan.substeps) + " substeps a step)"),
+  EXPECT_NE(lines[0].find("(" + std::to_string(plan.substeps) + " per step)"),
             Lines::value_type::npos)
       << lines[0];
 }
