@@ -164,12 +164,28 @@ TEST_F(SimulateBags, BagThatCannotBeUsedIsRefusedInOneLine) {
     rosbag::Bag bag(path("late.bag"), rosbag::bagmode::Write);
     bag.write("/box/wrench", ros::Time(900000000), push(1));
   }
+  {
+    rosbag::Bag bag(path("robots.bag"), rosbag::bagmode::Write);
+    bag.write("/robot_a/box/wrench", ros::Time(1), push(1));
+    bag.write("/robot_b/box/wrench", ros::Time(2), push(1));
+  }
+  {
+    AppliedWrench wrench;
+    wrench.body = "box";
+    rosbag::Bag bag(path("nodes.bag"), rosbag::bagmode::Write);
+    bag.write("/a/rigid_body_node/wrench", ros::Time(1), wrench);
+    bag.write("/b/rigid_body_node/wrench", ros::Time(2), wrench);
+  }
   directory.written("text.bag", "no bag");
   const std::map<std::string, std::string> refusals{
       {"--wrench-bag " + path("absent.bag"), "absent.bag: Error opening file"},
       {"--wrench-bag " + path("text.bag"), "text.bag: "},
       {"--wrench-bag " + path("empty.bag"), "empty.bag: holds no wrench for a body of the scene"},
       {"--wrench-bag " + path("two.bag"), "must hold the inputs of one node, got /a/inputs and"},
+      {"--wrench-bag " + path("robots.bag"),
+       "must hold the wrenches of one node, got /robot_a/box/wrench and /robot_b/box/wrench"},
+      {"--wrench-bag " + path("nodes.bag"),
+       "must hold the wrenches of one node, got /a/rigid_body_node/wrench and /b/"},
       {"--time-step 1e-12 --duration 1e-9 --wrench-bag " + path("late.bag"),
        "late.bag: holds a message at more than 2^53 steps of the scene"},
       {"--bag " + path("no/such/directory"), "Error opening file"},

@@ -1,6 +1,11 @@
+#include <limits>
+#include <thread>
+
 #include <gtest/gtest.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <rigid_body_sim/GetState.h>
+#include <rigid_body_sim/SimStatus.h>
 #include <rigid_body_sim/Step.h>
 
 #include "node_driver.hpp"
@@ -46,6 +51,32 @@ TEST_F(Services, StepIsRefusedWhileTheSimulationRuns) {
   ASSERT_TRUE(ros::service::call("rigid_body_node/step", call));
   EXPECT_FALSE(call.response.success);
   EXPECT_NE(call.response.message, "");
+}
+
+TEST_F(Services, OthersAreServedWhileManyStepsAreTakenAndPauseEndsThem) {
+  ros::NodeHandle nh;
+  ros::Time reported;
+  const boost::function<void(const SimStatus&)> note = [&](const SimStatus& status) {
+    reported = status.header.stamp;
+  };
+  const ros::Subscriber status = nh.subscribe<SimStatus>("rigid_body_node/status", 10, note);
+  Step call;
+  call.request.steps = std::numeric_limits<std::uint32_t>::max();
+  std::thread stepping([&] { EXPECT_TRUE(ros::service::call("rigid_body_node/step", call)); });
+  GetState before, after;
+  before.request.body = before.request.frame = after.request.body = after.request.frame = "box";
+  EXPECT_TRUE(ros::service::call("rigid_body_node/get_state", before));
+  EXPECT_TRUE(NodeDriver::waitFor([&] {
+    return ros::service::call("rigid_body_node/get_state", after) &&
+           after.response.stamp > before.response.stamp && reported > before.response.stamp;
+  }));
+  driver.pause(false);
+  stepping.join();
+  driver.pause(true);
+  EXPECT_FALSE(call.response.success);
+  EXPECT_NE(call.response.message.find("not paused"), std::string::npos) << call.response.message;
+  EXPECT_NE(call.response.message.find(" of 4294967295 steps were taken"), std::string::npos);
+  driver.reset();
 }
 
 TEST_F(Services, PauseSilencesEveryTopicUntilTheNextStep) {
