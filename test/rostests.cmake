@@ -29,9 +29,11 @@ rigid_body_sim_rostest(reset)
 rigid_body_sim_rostest(same_bytes)
 # the viewers' side of the handles
 find_package(interactive_markers REQUIRED)
-rigid_body_sim_rostest(rviz ${interactive_markers_LIBRARIES})
-target_include_directories(rigid_body_sim_test_rviz SYSTEM PRIVATE
-  ${interactive_markers_INCLUDE_DIRS})
+foreach(name body_set rviz)
+  rigid_body_sim_rostest(${name} ${interactive_markers_LIBRARIES})
+  target_include_directories(rigid_body_sim_test_${name} SYSTEM PRIVATE
+    ${interactive_markers_INCLUDE_DIRS})
+endforeach()
 rigid_body_sim_rostest(services)
 rigid_body_sim_rostest(state_topics)
 rigid_body_sim_rostest(wrench_services)

@@ -99,7 +99,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   try {
     WrenchIntake intake(target.scene, target.world.bodies, 0.5);
-    if (has_transforms) intake.add(received<tf2_msgs::TFMessage>(stream));
+    if (has_transforms) intake.addStatic(received<tf2_msgs::TFMessage>(stream));
     const std::size_t bodies = target.world.bodies.size();
     if (data[0] & 1) {
       const auto message = received<geometry_msgs::WrenchStamped>(stream);

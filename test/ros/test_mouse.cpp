@@ -184,6 +184,21 @@ TEST_F(MouseTest, BodyThatIsClearedOrResetIsNotPulledUntilPressedAgain) {
   EXPECT_EQ(simulation.wrenchCount(), 1U);
 }
 
+TEST_F(MouseTest, BodyThatIsRemovedIsLetGoAndCannotBeHeldUntilItIsAddedAgain) {
+  mouse.take(feedback(Feedback::MOUSE_DOWN));
+  step();
+  EXPECT_EQ(simulation.wrenchCount(), 1U);
+  mouse.remove(0);
+  EXPECT_EQ(simulation.wrenchCount(), 0U);
+  EXPECT_EQ(mouse.take(feedback(Feedback::MOUSE_DOWN)), "unknown handle 'box'");
+  step();
+  EXPECT_EQ(simulation.wrenchCount(), 0U);
+  mouse.add(0);
+  EXPECT_EQ(mouse.take(feedback(Feedback::MOUSE_DOWN)), "");
+  step();
+  EXPECT_EQ(simulation.wrenchCount(), 1U);
+}
+
 TEST_F(MouseTest, RefuseWhatBreaksARuleAndKeepWhatWas) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   Feedback bad = feedback(Feedback::MOUSE_DOWN);

@@ -90,4 +90,27 @@ TEST_F(StaticFramesTest, DoNotMoveTheFramesOfTheScene) {
   EXPECT_TRUE(table.find("box/tip")->X_PF.isApprox(tip, 0));
 }
 
+TEST_F(StaticFramesTest, GoWithTheBodyOnWhichTheyHangAndComeAgainWithIt) {
+  hang("nozzle", "box/tip", X1);
+  hang("hook", "post", X2);
+  for (const char* name : {"nozzle", "hook"}) statics.lookUp(name, table);
+  const FixedFrame before = *table.find("nozzle");
+  table.remove("post");
+  EXPECT_FALSE(table.find("post"));
+  EXPECT_FALSE(table.find("hook"));
+  EXPECT_TRUE(table.find("nozzle"));
+  table.remove("box");
+  for (const char* name : {"box", "box/tip", "nozzle"}) EXPECT_FALSE(table.find(name)) << name;
+  EXPECT_EQ(table.names(), "world");
+  statics.lookUp("nozzle", table);
+  EXPECT_FALSE(table.find("nozzle"));
+
+  table.add(scene.bodies[0], world.bodies[0], 0);
+  EXPECT_EQ(table.names(), "world, box, box/tip");
+  statics.lookUp("nozzle", table);
+  ASSERT_TRUE(table.find("nozzle"));
+  EXPECT_EQ(table.find("nozzle")->body, 0U);
+  EXPECT_EQ(table.find("nozzle")->X_PF.matrix(), before.X_PF.matrix());
+}
+
 }  // namespace rigid_body_sim

@@ -56,7 +56,7 @@ class WrenchMatrix : public ::testing::TestWithParam<Placement> {
     tf2_msgs::TFMessage hung;
     hung.transforms.push_back(toTransform(kNozzle, "box", "nozzle", ros::Time(1)));
     hung.transforms.push_back(toTransform(kPort, "other", "port", ros::Time(1)));
-    intake.add(hung);
+    intake.addStatic(hung);
     motion["box"].x_W = Vector3d(-3, 1, 4);
     motion["box"].q_WB = Quaterniond(0.1, -0.7, 0.5, 0.5);
     motion["box"].q_WB.coeffs() /= motion["box"].q_WB.norm();

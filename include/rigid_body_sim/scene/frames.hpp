@@ -18,8 +18,14 @@ struct FixedFrame {
 /// never moves are frames of the world.
 class FrameTable {
  public:
-  /// bodies: those of the world that was built from the scene.
+  /// The world frame and those of all bodies. bodies: those of the world built from the scene.
   FrameTable(const Scene& scene, const std::vector<Body>& bodies);
+
+  /// Adds the frames of a body that has none in the table. index: where the body is in the world.
+  void add(const BodyDef& def, const Body& body, std::size_t index);
+
+  /// Removes the frames of a body, and those that are attached to them.
+  void remove(const std::string& body);
 
   /// Adds a frame F at pose X_GF in a frame G of the table, which it moves with.
   void attach(const std::string& name, const std::string& G, const Isometry3d& X_GF);
@@ -31,9 +37,13 @@ class FrameTable {
   std::string names() const;
 
  private:
-  void add(const std::string& name, const FixedFrame& frame);
+  struct Entry {
+    FixedFrame frame;
+    std::string body;  // to which it is fixed, moving or not; empty: the world
+  };
+  void put(const std::string& name, const Entry& entry);
 
-  std::map<std::string, FixedFrame> frames_;
+  std::map<std::string, Entry> frames_;
   std::vector<std::string> order_;
 };
 

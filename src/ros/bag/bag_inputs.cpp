@@ -55,7 +55,7 @@ class WrenchMessages {
  private:
   void take(const rosbag::MessageInstance& message) {
     if (message.getTopic() == "/tf_static") {
-      if (const auto frames = message.instantiate<tf2_msgs::TFMessage>()) intake_.add(*frames);
+      if (const auto frames = message.instantiate<tf2_msgs::TFMessage>()) intake_.addStatic(*frames);
     } else if (const AppliedWrench::ConstPtr wrench = message.instantiate<AppliedWrench>()) {
       requireOneTopic("", message.getTopic());
       add(message.getTime(), [&](double now) { return intake_.take(*wrench, origin, now); });

@@ -30,8 +30,12 @@ class WrenchIntake {
   /// of the scene's world, are referred to, not copied.
   WrenchIntake(const Scene& scene, const std::vector<Body>& bodies, double wrench_timeout);
 
+  /// Takes in the frames of a body of the world; gives them back.
+  void add(const BodyDef& def, std::size_t body) { frames_.add(def, bodies_[body], body); }
+  void remove(const std::string& body) { frames_.remove(body); }
+
   /// Frames that others hang on those of the scene; each is looked up when first named.
-  void add(const tf2_msgs::TFMessage& static_frames) { static_frames_.add(static_frames); }
+  void addStatic(const tf2_msgs::TFMessage& frames) { static_frames_.add(frames); }
 
   /// A message on <body>/wrench that arrives at simulation time `now` [s]: acts from then on. Each
   /// frame has a slot of its own, and says where the wrench acts: the world's at the centre of

@@ -47,9 +47,19 @@ WrenchInterfaces::WrenchInterfaces(const ros::NodeHandle& nh, const ros::NodeHan
   ros::NodeHandle own(private_nh);
   wrench_ = subscribeAtOnce<AppliedWrench>(
       own, "wrench", [this](const AppliedWrench::ConstPtr& message) { take(*message, origin_); });
-  tf_static_ = nh_.subscribe("/tf_static", kStaticTfQueue, &WrenchIntake::add, &intake_);
+  tf_static_ = nh_.subscribe("/tf_static", kStaticTfQueue, &WrenchIntake::addStatic, &intake_);
   apply_ = own.advertiseService("apply_wrench", &WrenchInterfaces::apply, this);
   clear_ = own.advertiseService("clear_wrenches", &WrenchInterfaces::clear, this);
+}
+
+void WrenchInterfaces::add(const BodyDef& def, std::size_t body) {
+  intake_.add(def, body);
+  if (!def.fixed) subscribe(def.name);
+}
+
+void WrenchInterfaces::remove(const std::string& body) {
+  body_topics_.erase(body);
+  intake_.remove(body);
 }
 
 void WrenchInterfaces::subscribe(const std::string& body) {

@@ -29,6 +29,10 @@ class WrenchInterfaces {
                    const Simulation& simulation, Inputs& inputs, const TimeOrigin& origin,
                    double wrench_timeout, Refusals& refusals);
 
+  /// Takes in a body of the world: its frames and, where it moves, its topic. Gives it back.
+  void add(const BodyDef& def, std::size_t body);
+  void remove(const std::string& body);
+
  private:
   using BodyWrench = geometry_msgs::WrenchStamped;
 

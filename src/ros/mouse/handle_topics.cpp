@@ -1,6 +1,6 @@
 #include "ros/mouse/handle_topics.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include <ros/this_node.h>
 #include <visualization_msgs/InteractiveMarkerInit.h>
@@ -18,25 +18,41 @@ constexpr std::uint32_t kHandleQueue = 100;
 constexpr bool kLatched = true;
 constexpr std::chrono::milliseconds kPeriod(500);
 
-InteractiveMarkerUpdate numbered(std::uint64_t changes) {
-  InteractiveMarkerUpdate update;
-  update.server_id = ros::this_node::getName();
-  update.seq_num = changes;
-  return update;
-}
-
 }  // namespace
 
 HandleTopics::HandleTopics(ros::NodeHandle private_nh,
                            const std::vector<InteractiveMarker>& handles, const Sink& sink)
-    : handles_(handles),
-      all_(private_nh.advertise<InteractiveMarkerInit>("push/update_full", kHandleQueue, kLatched)),
+    : all_(private_nh.advertise<InteractiveMarkerInit>("push/update_full", kHandleQueue, kLatched)),
       update_(private_nh.advertise<InteractiveMarkerUpdate>("push/update", kHandleQueue)) {
   const boost::function<void(const Feedback&)> take = [this, sink](const Feedback& feedback) {
     sink(feedback);
     if (feedback.event_type == Feedback::MOUSE_UP) putBack(feedback.marker_name);
   };
   feedback_ = private_nh.subscribe<Feedback>("push/feedback", kHandleQueue, take);
+  for (const InteractiveMarker& handle : handles) handles_[handle.name] = handle;
+  publishAll();
+}
+
+void HandleTopics::add(const InteractiveMarker& handle) {
+  handles_[handle.name] = handle;
+  InteractiveMarkerUpdate update;
+  update.markers.push_back(handle);
+  publishChange(std::move(update));
+}
+
+void HandleTopics::remove(const std::string& handle) {
+  if (handles_.erase(handle) == 0) return;
+  InteractiveMarkerUpdate update;
+  update.erases.push_back(handle);
+  publishChange(std::move(update));
+}
+
+/// Tells the viewers that are there, and those to come.
+void HandleTopics::publishChange(InteractiveMarkerUpdate update) {
+  update.server_id = ros::this_node::getName();
+  update.seq_num = ++changes_;
+  update.type = InteractiveMarkerUpdate::UPDATE;
+  if (update_.getNumSubscribers() > 0) update_.publish(update);
   publishAll();
 }
 
@@ -44,7 +60,7 @@ void HandleTopics::publishAll() {
   InteractiveMarkerInit all;
   all.server_id = ros::this_node::getName();
   all.seq_num = changes_;
-  all.markers = handles_;
+  for (const auto& [name, handle] : handles_) all.markers.push_back(handle);
   all_.publish(all);
 }
 
@@ -52,26 +68,23 @@ void HandleTopics::keepAlive(Clock::time_point now) {
   if (now < next_keep_alive_) return;
   next_keep_alive_ = now + kPeriod;
   if (update_.getNumSubscribers() == 0) return;
-  InteractiveMarkerUpdate update = numbered(changes_);
+  InteractiveMarkerUpdate update;
+  update.server_id = ros::this_node::getName();
+  update.seq_num = changes_;
   update.type = InteractiveMarkerUpdate::KEEP_ALIVE;
   update_.publish(update);
 }
 
 void HandleTopics::putBack(const std::string& handle) {
-  const auto known =
-      std::find_if(handles_.begin(), handles_.end(),
-                   [&](const InteractiveMarker& marker) { return marker.name == handle; });
+  const auto known = handles_.find(handle);
   if (known == handles_.end() || update_.getNumSubscribers() == 0) return;
-  ++changes_;
-  InteractiveMarkerUpdate update = numbered(changes_);
-  update.type = InteractiveMarkerUpdate::UPDATE;
   InteractiveMarkerPose pose;
-  pose.header = known->header;
-  pose.pose = known->pose;
+  pose.header = known->second.header;
+  pose.pose = known->second.pose;
   pose.name = handle;
+  InteractiveMarkerUpdate update;
   update.poses.push_back(pose);
-  update_.publish(update);
-  publishAll();
+  publishChange(std::move(update));
 }
 
 }  // namespace rigid_body_sim

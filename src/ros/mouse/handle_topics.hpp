@@ -2,12 +2,14 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include <ros/node_handle.h>
 #include <visualization_msgs/InteractiveMarker.h>
 #include <visualization_msgs/InteractiveMarkerFeedback.h>
+#include <visualization_msgs/InteractiveMarkerUpdate.h>
 
 namespace rigid_body_sim {
 
@@ -28,14 +30,19 @@ class HandleTopics {
   HandleTopics(ros::NodeHandle private_nh,
                const std::vector<visualization_msgs::InteractiveMarker>& handles, const Sink& sink);
 
+  /// Offers one more handle, or one anew; takes one back.
+  void add(const visualization_msgs::InteractiveMarker& handle);
+  void remove(const std::string& handle);
+
   /// Sends a keep-alive twice a second: without, a viewer neither starts nor goes on.
   void keepAlive(Clock::time_point now);
 
  private:
   void publishAll();
+  void publishChange(visualization_msgs::InteractiveMarkerUpdate update);
   void putBack(const std::string& handle);
 
-  std::vector<visualization_msgs::InteractiveMarker> handles_;
+  std::map<std::string, visualization_msgs::InteractiveMarker> handles_;  // by name
   std::uint64_t changes_ = 0;
   Clock::time_point next_keep_alive_;
   ros::Publisher all_;

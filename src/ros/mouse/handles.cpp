@@ -37,7 +37,9 @@ std::vector<Marker> ballOf(const Body& body) {
   return ball;
 }
 
-InteractiveMarker handleOf(const BodyDef& def, const Body& body) {
+}  // namespace
+
+InteractiveMarker toHandle(const BodyDef& def, const Body& body) {
   InteractiveMarkerControl control;
   control.name = "push";
   control.orientation.w = 1;
@@ -56,12 +58,10 @@ InteractiveMarker handleOf(const BodyDef& def, const Body& body) {
   return handle;
 }
 
-}  // namespace
-
 std::vector<InteractiveMarker> toHandles(const Scene& scene, const World& world) {
   std::vector<InteractiveMarker> handles;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (!world.bodies[i].fixed) handles.push_back(handleOf(scene.bodies[i], world.bodies[i]));
+    if (!world.bodies[i].fixed) handles.push_back(toHandle(scene.bodies[i], world.bodies[i]));
   }
   return handles;
 }

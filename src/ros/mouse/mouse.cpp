@@ -24,8 +24,15 @@ Mouse::Mouse(const Simulation& simulation, Inputs& inputs, double wrench_timeout
     : simulation_(simulation), inputs_(inputs), wrench_timeout_(wrench_timeout) {
   const std::vector<Body>& bodies = simulation.world().bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies[i].fixed) moving_bodies_[bodies[i].name] = i;
+    if (!bodies[i].fixed) add(i);
   }
+}
+
+void Mouse::add(std::size_t body) { moving_bodies_[simulation_.world().bodies[body].name] = body; }
+
+void Mouse::remove(std::size_t body) {
+  if (holds_.count(body) > 0) release(body);
+  moving_bodies_.erase(simulation_.world().bodies[body].name);
 }
 
 std::string Mouse::take(const Feedback& feedback) {

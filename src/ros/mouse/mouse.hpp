@@ -21,6 +21,10 @@ class Mouse {
   /// ever. Simulation and inputs are referred to, not copied.
   Mouse(const Simulation& simulation, Inputs& inputs, double wrench_timeout);
 
+  /// Takes in a body of the world that moves; gives it back, and ends its pull.
+  void add(std::size_t body);
+  void remove(std::size_t body);
+
   /// Takes what a viewer reports: a button pressed on a handle, the handle dragged or kept where it
   /// is, the button released. Returns the fault of feedback that is refused and changes nothing:
   /// for an unknown handle, in a frame other than the body's, or for a pull that is not finite.

@@ -1,37 +1,48 @@
+#include <algorithm>
+
 #include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
 
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
+
 FrameTable::FrameTable(const Scene& scene, const std::vector<Body>& bodies) {
-  add(scene.world_frame, {});
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const BodyDef& def = scene.bodies[i];
-    const FixedFrame body = def.fixed ? FixedFrame{kWorld, isometry(def.orientation, def.position)}
-                                      : FixedFrame{i, bodies[i].X_BP.inverse()};
-    add(def.name, body);
-    for (const PointDef& point : def.points)
-      add(def.name + "/" + point.name,
-          {body.body, body.X_PF * isometry(point.orientation, point.position)});
-  }
+  put(scene.world_frame, {});
+  for (std::size_t i = 0; i < bodies.size(); ++i) add(scene.bodies[i], bodies[i], i);
+}
+
+void FrameTable::add(const BodyDef& def, const Body& body, std::size_t index) {
+  const FixedFrame frame = def.fixed ? FixedFrame{kWorld, isometry(def.orientation, def.position)}
+                                     : FixedFrame{index, body.X_BP.inverse()};
+  put(def.name, {frame, def.name});
+  for (const PointDef& point : def.points)
+    put(def.name + "/" + point.name,
+        {{frame.body, frame.X_PF * isometry(point.orientation, point.position)}, def.name});
+}
+
+void FrameTable::remove(const std::string& body) {
+  const auto isGone = [&](const std::string& name) { return frames_.at(name).body == body; };
+  const auto gone = std::stable_partition(order_.begin(), order_.end(),
+                                          [&](const std::string& name) { return !isGone(name); });
+  for (auto name = gone; name != order_.end(); ++name) frames_.erase(*name);
+  order_.erase(gone, order_.end());
 }
 
 void FrameTable::attach(const std::string& name, const std::string& G, const Isometry3d& X_GF) {
-  const FixedFrame parent = frames_.at(G);
-  add(name, {parent.body, parent.X_PF * X_GF});
+  const Entry& parent = frames_.at(G);
+  put(name, {{parent.frame.body, parent.frame.X_PF * X_GF}, parent.body});
 }
 
 const FixedFrame* FrameTable::find(const std::string& name) const {
-  const auto frame = frames_.find(name);
-  return frame == frames_.end() ? nullptr : &frame->second;
+  const auto entry = frames_.find(name);
+  return entry == frames_.end() ? nullptr : &entry->second.frame;
 }
 
 std::string FrameTable::names() const { return nameList(order_); }
 
-void FrameTable::add(const std::string& name, const FixedFrame& frame) {
-  frames_[name] = frame;
-  order_.push_back(name);
+void FrameTable::put(const std::string& name, const Entry& entry) {
+  if (frames_.insert_or_assign(name, entry).second) order_.push_back(name);
 }
 
 }  // namespace rigid_body_sim
