@@ -19,8 +19,9 @@ namespace {
 struct Memory {
   template <class Message>
   Topic<Message> open(const std::string& name, bool) {
-    return {[this] { return heard; },
-            [this, name](const Message& message, const ros::Time&) { keep(name, message); }};
+    return {[this] { return subscribers; },
+            [this, name](const Message& message, const ros::Time&) { keep(name, message); },
+            [](const typename Topic<Message>::Greeting&) {}};
   }
 
   void keep(const std::string& name, const nav_msgs::Odometry& m) { odometry[name].push_back(m); }
@@ -32,7 +33,7 @@ struct Memory {
     ++others[name];
   }
 
-  std::size_t heard = 1;
+  std::size_t subscribers = 1;
   std::map<std::string, std::vector<nav_msgs::Odometry>> odometry;
   std::vector<tf2_msgs::TFMessage> tf;  // the static ones first
   std::vector<BodyStates> states;
@@ -203,7 +204,7 @@ TEST(Outputs, BeginAtTheStartOfAClockFromZero) {
 
 TEST(Outputs, TellNothingToNobody) {
   ToldRun run(0.01);
-  run.memory.heard = 0;
+  run.memory.subscribers = 0;
   run.steps(50);
   EXPECT_TRUE(run.memory.odometry.empty());
   EXPECT_TRUE(run.memory.states.empty());
@@ -215,7 +216,7 @@ TEST(Outputs, RepeatTheBodiesOnceForViewersWhoHaveCome) {
   ToldRun run(0.01);
   std::vector<int> sent;
   for (const std::size_t viewers : {0U, 0U, 1U, 1U, 1U, 2U, 2U, 1U, 1U}) {
-    run.memory.heard = viewers;
+    run.memory.subscribers = viewers;
     run.outputs.repeatBodies();
     sent.push_back(run.memory.others.at("~markers"));
   }

@@ -26,7 +26,8 @@ class BagTransport {
             [&bag = bag_, path, header](const Message& message, const ros::Time& stamp) {
               // a bag has no time zero
               bag.write(path, std::max(stamp, ros::TIME_MIN), message, header);
-            }};
+            },
+            [](const typename Topic<Message>::Greeting&) {}};
   }
 
  private:

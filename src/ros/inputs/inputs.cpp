@@ -36,7 +36,7 @@ void Inputs::apply(const SimulationInput& input) {
     held_.clear();
     clock_runs_at_.reset();
   }
-  if (record_.heard()) record(input);
+  if (record_.subscribers()) record(input);
   ++number_;
   if (listener_) listener_(input);
 }

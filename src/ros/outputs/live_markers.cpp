@@ -41,7 +41,7 @@ LiveMarkers::LiveMarkers(Topic<MarkerArray> topic, const std::string& world_fram
       trails_(trailsOf(simulation.world().bodies)) {}
 
 void LiveMarkers::publish(const ros::Time& stamp) {
-  if (!topic_.heard()) {
+  if (!topic_.subscribers()) {
     shown_.clear();
     breakTrails();
     return;

@@ -62,7 +62,7 @@ void Outputs::publishNow() {
 
 void Outputs::repeatBodies() {
   if (viewers_are_new_) topics_.markers.publish(bodies_, origin_.stamp(simulation_.time()));
-  const std::size_t viewers = topics_.markers.heard();
+  const std::size_t viewers = topics_.markers.subscribers();
   viewers_are_new_ = viewers > viewers_;
   viewers_ = viewers;
 }
@@ -92,8 +92,8 @@ void Outputs::publishState() {
   const ros::Time stamp = origin_.stamp(simulation_.time());
   if (stamp <= last_state_stamp_) return;
   last_state_stamp_ = stamp;
-  if (topics_.tf.heard()) publishTransforms(stamp);
-  if (topics_.states.heard())
+  if (topics_.tf.subscribers()) publishTransforms(stamp);
+  if (topics_.states.subscribers())
     topics_.states.publish(
         toBodyStates(simulation_.world(), simulation_.state(), world_frame_, stamp), stamp);
   for (const BodyTopics& topics : topics_.bodies) publishBody(topics, stamp);
@@ -111,9 +111,9 @@ void Outputs::publishTransforms(const ros::Time& stamp) {
 void Outputs::publishBody(const BodyTopics& topics, const ros::Time& stamp) {
   const Body& body = simulation_.world().bodies[topics.body];
   const BodyState& state = simulation_.body(topics.body);
-  if (topics.odometry.heard())
+  if (topics.odometry.subscribers())
     topics.odometry.publish(toOdometry(body, state, world_frame_, stamp), stamp);
-  if (topics.applied_wrench.heard())
+  if (topics.applied_wrench.subscribers())
     topics.applied_wrench.publish(
         toWrenchStamped(body, state, simulation_.appliedWrench(topics.body), stamp), stamp);
 }
