@@ -86,6 +86,9 @@ class Simulation {
   /// The wrenches that act on a body now.
   const std::vector<PointWrench>& activeWrenches(std::size_t body) const;
 
+  /// Those that act on a body at a time t [s] between now and the next step.
+  std::vector<PointWrench> activeWrenches(std::size_t body, double t) const;
+
   /// Sum of the wrenches applied to a body now, without gravity and laws.
   Wrench appliedWrench(std::size_t body) const;
 

@@ -128,6 +128,10 @@ const std::vector<PointWrench>& Simulation::activeWrenches(std::size_t body) con
   return parts_->run.schedules()[body].active();
 }
 
+std::vector<PointWrench> Simulation::activeWrenches(std::size_t body, double t) const {
+  return parts_->run.schedules()[body].activeAt(t);
+}
+
 Wrench Simulation::appliedWrench(std::size_t body) const {
   Wrench sum;
   std::vector<BodyState> states(3);  // of the body, and of those that axes and point turn with

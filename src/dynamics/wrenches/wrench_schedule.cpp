@@ -98,6 +98,12 @@ bool WrenchSchedule::advanceTo(double t) {
   return true;
 }
 
+std::vector<PointWrench> WrenchSchedule::activeAt(double t) const {
+  WrenchSchedule later(*this);
+  later.advanceTo(t);
+  return later.active_;
+}
+
 void WrenchSchedule::beginStep() { before_ = Before{active_, active_slots_, {}}; }
 
 void WrenchSchedule::takeBack() {

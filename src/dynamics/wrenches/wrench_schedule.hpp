@@ -56,6 +56,9 @@ class WrenchSchedule {
   void addLinked(double t, std::vector<std::size_t>& bodies) const;
 
   const std::vector<PointWrench>& active() const { return active_; }
+
+  /// What will act at a time t [s] that is not past, unless something is put or cleared.
+  std::vector<PointWrench> activeAt(double t) const;
   std::size_t size() const { return active_.size() + pending_.size(); }
 
   /// Whether all that act depend on the motion of their own body only (HeldWrench::holds).
