@@ -21,6 +21,17 @@ bool asksForHelp(int argc, char** argv) {
   });
 }
 
+int printHelp(const char* program, const char* text) {
+  std::fputs(text, stdout);
+  try {
+    requireWritten(stdout);
+    return kDone;
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "%s: %s\n", program, error.what());
+    return kBadInput;
+  }
+}
+
 double positiveNumber(const std::string& option, const char* text) {
   char* end = nullptr;
   const double x = std::strtod(text, &end);

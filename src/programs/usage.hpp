@@ -21,6 +21,10 @@ class UsageError : public std::invalid_argument {
 /// Whether --help or -h is among the arguments, for programs whose others are those of ROS.
 bool asksForHelp(int argc, char** argv);
 
+/// Writes a help text to standard output. Returns the exit status; says on standard error, after
+/// the name of the program, why it cannot be written.
+int printHelp(const char* program, const char* text);
+
 /// The value of an option, named without its dashes. Throws UsageError unless it is finite and > 0.
 double positiveNumber(const std::string& option, const char* text);
 

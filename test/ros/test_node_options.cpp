@@ -43,6 +43,9 @@ TEST(NodeOptions, AreTheDocumentedDefaults) {
   EXPECT_EQ(options.wrench_timeout, 0.5);
   EXPECT_FALSE(options.reset_time);
   EXPECT_FALSE(options.start_paused);
+  EXPECT_TRUE(options.body_topics);
+  EXPECT_EQ(options.tf_prefix, "");
+  EXPECT_EQ(options.odometry_covariance, (std::array<double, 6>{}));
 }
 
 TEST(NodeOptions, TakeEveryParameter) {
@@ -55,6 +58,9 @@ TEST(NodeOptions, TakeEveryParameter) {
   parameters["wrench_timeout"] = 0.0;
   parameters["reset_time"] = true;
   parameters["start_paused"] = true;
+  parameters["body_topics"] = false;
+  parameters["tf_prefix"] = "/robot_1/";
+  for (int i = 0; i < 6; ++i) parameters["odometry_covariance"][i] = 0.5 * i;
   const NodeOptions options = toNodeOptions(parameters);
   EXPECT_EQ(options.scene_text, "time_step: 1");
   EXPECT_EQ(options.publish_rate, 12.5);
@@ -64,6 +70,16 @@ TEST(NodeOptions, TakeEveryParameter) {
   EXPECT_EQ(options.wrench_timeout, 0);
   EXPECT_TRUE(options.reset_time);
   EXPECT_TRUE(options.start_paused);
+  EXPECT_FALSE(options.body_topics);
+  EXPECT_EQ(options.tf_prefix, "robot_1");
+  EXPECT_EQ(options.odometry_covariance, (std::array<double, 6>{0, 0.5, 1, 1.5, 2, 2.5}));
+}
+
+TEST(NodeOptions, TakeOneCovarianceForAllAxes) {
+  XmlRpc::XmlRpcValue parameters = withScene();
+  parameters["odometry_covariance"] = 0.01;
+  EXPECT_EQ(toNodeOptions(parameters).odometry_covariance,
+            (std::array<double, 6>{0.01, 0.01, 0.01, 0.01, 0.01, 0.01}));
 }
 
 TEST(NodeOptions, NeedExactlyOneScene) {
@@ -77,14 +93,15 @@ TEST(NodeOptions, NeedExactlyOneScene) {
 TEST(NodeOptions, RefuseAnUnknownName) {
   EXPECT_EQ(
       refusalOf("publish_rat", 10),
-      "parameter ~publish_rat: unknown, got '10'; known: clock_rate, publish_clock, "
-      "publish_rate, real_time_factor, reset_time, scene, scene_file, start_paused, start_time, "
-      "wrench_timeout");
+      "parameter ~publish_rat: unknown, got '10'; known: body_topics, clock_rate, "
+      "odometry_covariance, publish_clock, publish_rate, real_time_factor, reset_time, scene, "
+      "scene_file, start_paused, start_time, tf_prefix, wrench_timeout");
 }
 
 TEST(NodeOptions, RefuseAWrongType) {
   EXPECT_EQ(refusalOf("publish_rate", "fast"),
-            "parameter ~publish_rate: must be a finite number > 0, got 'fast'");
+            "parameter ~publish_rate: must be a number > 0 and at most 1e9, as stamps are whole "
+            "nanoseconds, got 'fast'");
   EXPECT_EQ(refusalOf("start_paused", 1),
             "parameter ~start_paused: must be true or false, got '1'");
   EXPECT_EQ(refusalOf("scene_file", 3),
@@ -98,11 +115,45 @@ TEST(NodeOptions, RefuseAWrongType) {
 
 TEST(NodeOptions, RefuseAValueOutsideItsRule) {
   EXPECT_EQ(refusalOf("publish_rate", 0),
-            "parameter ~publish_rate: must be a finite number > 0, got '0'");
+            "parameter ~publish_rate: must be a number > 0 and at most 1e9, as stamps are whole "
+            "nanoseconds, got '0'");
+  for (const double too_fast : {1.01e9, 1.7e308, std::numeric_limits<double>::infinity()})
+    EXPECT_NE(refusalOf("publish_rate", too_fast), "accepted") << too_fast;
   EXPECT_EQ(refusalOf("wrench_timeout", -1),
             "parameter ~wrench_timeout: must be a finite number >= 0, got '-1'");
   EXPECT_NE(refusalOf("clock_rate", std::nan("")), "accepted");
   EXPECT_NE(refusalOf("real_time_factor", std::numeric_limits<double>::infinity()), "accepted");
+}
+
+TEST(NodeOptions, SayThatAPathIsNoText) {
+  EXPECT_EQ(
+      refusalOf("scene", "/tmp/top.yaml"),
+      "parameter ~scene: must be the YAML text of a scene; a path belongs in ~scene_file, got "
+      "'/tmp/top.yaml'");
+}
+
+TEST(NodeOptions, RefuseCovariancesThatAreNone) {
+  EXPECT_NE(refusalOf("odometry_covariance", -1), "accepted");
+  EXPECT_NE(refusalOf("odometry_covariance", std::nan("")), "accepted");
+  XmlRpc::XmlRpcValue five;
+  for (int i = 0; i < 5; ++i) five[i] = 1;
+  EXPECT_NE(refusalOf("odometry_covariance", five), "accepted");
+  five[5] = "1";
+  EXPECT_NE(refusalOf("odometry_covariance", five), "accepted");
+}
+
+TEST(NodeOptions, RefuseAPrefixThatIsNoName) {
+  for (const char* prefix : {"9robots", "a b", "a//b"})
+    EXPECT_NE(refusalOf("tf_prefix", prefix), "accepted") << prefix;
+  EXPECT_NE(refusalOf("tf_prefix", 1), "accepted");
+}
+
+TEST(NodeOptions, SayHowToDeleteWhatAnEarlierStartLeft) {
+  const ParameterError error("parameter ~publish_rat: unknown", {"publish_rat"});
+  EXPECT_EQ(describe(error, "/a/node", {"scene_file"}),
+            "parameter ~publish_rat: unknown; it is on the master, maybe from an earlier start: "
+            "rosparam delete /a/node/publish_rat");
+  EXPECT_EQ(describe(error, "/a/node", {"publish_rat"}), "parameter ~publish_rat: unknown");
 }
 
 struct ClockCase {

@@ -11,13 +11,14 @@
 
 #include "programs/usage.hpp"
 #include "ros/messages/conversions.hpp"
+#include "ros/node/command_line.hpp"
 
 using namespace rigid_body_sim;
 
 namespace {
 
 const char* const kHelp = R"(usage: rosrun rigid_body_sim demo_pusher
-Client of demo.launch: hears box/odom and publishes box/wrench, by which it keeps the box on its
+Client of demo.launch: subscribes to box/odom and publishes box/wrench, by which it keeps the box on its
 round. Needs a ROS master, and a rigid_body_node with config/scenes/demo.yaml.
 
   --help    this text
@@ -120,8 +121,8 @@ class DemoPusher {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (asksForHelp(argc, argv)) return std::fputs(kHelp, stdout) < 0 ? kBadInput : kDone;
-  ros::init(argc, argv, "demo_pusher");
+  if (asksForHelp(argc, argv)) return printHelp("demo_pusher", kHelp);
+  if (!initRos(argc, argv, "demo_pusher")) return kWrongUsage;
   DemoPusher pusher;
   ros::spin();
   return kDone;

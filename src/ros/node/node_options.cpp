@@ -30,7 +30,8 @@ std::string quoted(XmlRpcValue value) {
 
 [[noreturn]] void refuse(const std::string& name, const XmlRpcValue& value,
                          const std::string& rule) {
-  throw ParameterError("parameter ~" + name + ": must be " + rule + ", got " + quoted(value));
+  throw ParameterError("parameter ~" + name + ": must be " + rule + ", got " + quoted(value),
+                       {name});
 }
 
 std::string readText(const std::string& name, XmlRpcValue value) {
@@ -46,6 +47,26 @@ std::string readPath(const std::string& name, XmlRpcValue value) {
   return readText(name, std::move(value));
 }
 
+/// Every scene is a mapping, in which a key ends with a colon.
+std::string readSceneText(const std::string& name, XmlRpcValue value) {
+  std::string text = readText(name, value);
+  if (text.find(':') == std::string::npos)
+    refuse(name, value, "the YAML text of a scene; a path belongs in ~scene_file");
+  return text;
+}
+
+/// Without the slashes at its ends, which frames of tf2 do not have.
+std::string readPrefix(const std::string& name, XmlRpcValue value) {
+  constexpr char kRule[] = "a name as of a ROS node, such as robot_1";
+  if (value.getType() != XmlRpcValue::TypeString) refuse(name, value, kRule);
+  std::string prefix = static_cast<std::string&>(value);
+  prefix.erase(0, prefix.find_first_not_of('/'));
+  prefix.erase(prefix.find_last_not_of('/') + 1);
+  std::string fault;
+  if (!prefix.empty() && !ros::names::validate(prefix, fault)) refuse(name, value, kRule);
+  return prefix;
+}
+
 bool readBool(const std::string& name, XmlRpcValue value) {
   if (value.getType() != XmlRpcValue::TypeBoolean) refuse(name, value, "true or false");
   return static_cast<bool&>(value);
@@ -58,9 +79,10 @@ double number(XmlRpcValue value) {
   return std::nan("");
 }
 
-double readPositive(const std::string& name, XmlRpcValue value) {
+double readRate(const std::string& name, XmlRpcValue value) {
   const double x = number(value);
-  if (!std::isfinite(x) || !(x > 0)) refuse(name, value, "a finite number > 0");
+  if (!(x > 0) || !(x <= NodeOptions::kMaxRate))
+    refuse(name, value, "a number > 0 and at most 1e9, as stamps are whole nanoseconds");
   return x;
 }
 
@@ -68,6 +90,21 @@ double readNotNegative(const std::string& name, XmlRpcValue value) {
   const double x = number(value);
   if (!std::isfinite(x) || !(x >= 0)) refuse(name, value, "a finite number >= 0");
   return x;
+}
+
+/// One number for all six axes, or six.
+std::array<double, 6> readDiagonal(const std::string& name, XmlRpcValue value) {
+  constexpr char kRule[] = "a finite number >= 0, or a list of six (x, y, z, rotation about each)";
+  std::array<double, 6> diagonal;
+  if (value.getType() != XmlRpcValue::TypeArray) {
+    diagonal.fill(number(value));
+  } else {
+    if (value.size() != 6) refuse(name, value, kRule);
+    for (int i = 0; i < 6; ++i) diagonal[static_cast<std::size_t>(i)] = number(value[i]);
+  }
+  for (const double x : diagonal)
+    if (!std::isfinite(x) || !(x >= 0)) refuse(name, value, kRule);
+  return diagonal;
 }
 
 std::optional<double> readTime(const std::string& name, XmlRpcValue value) {
@@ -88,27 +125,39 @@ Reader into(T NodeOptions::*field, T (*read)(const std::string&, XmlRpcValue)) {
 
 const std::map<std::string, Reader>& readers() {
   static const std::map<std::string, Reader> table{
-      {"clock_rate", into(&NodeOptions::clock_rate, readPositive)},
+      {"body_topics", into(&NodeOptions::body_topics, readBool)},
+      {"clock_rate", into(&NodeOptions::clock_rate, readRate)},
+      {"odometry_covariance", into(&NodeOptions::odometry_covariance, readDiagonal)},
       {"publish_clock", into(&NodeOptions::publish_clock, readBool)},
-      {"publish_rate", into(&NodeOptions::publish_rate, readPositive)},
+      {"publish_rate", into(&NodeOptions::publish_rate, readRate)},
       {"real_time_factor", into(&NodeOptions::real_time_factor, readNotNegative)},
       {"reset_time", into(&NodeOptions::reset_time, readBool)},
-      {"scene", into(&NodeOptions::scene_text, readText)},
+      {"scene", into(&NodeOptions::scene_text, readSceneText)},
       {"scene_file", into(&NodeOptions::scene_file, readPath)},
       {"start_paused", into(&NodeOptions::start_paused, readBool)},
       {"start_time", into(&NodeOptions::start_time, readTime)},
+      {"tf_prefix", into(&NodeOptions::tf_prefix, readPrefix)},
       {"wrench_timeout", into(&NodeOptions::wrench_timeout, readNotNegative)},
   };
   return table;
 }
 
-std::string knownNames() {
-  std::string names;
-  for (const auto& [name, reader] : readers()) names += (names.empty() ? "" : ", ") + name;
-  return names;
+[[noreturn]] void refuseUnknown(const std::string& name, const XmlRpcValue& value) {
+  std::string known;
+  for (const auto& [parameter, reader] : readers())
+    known += (known.empty() ? "" : ", ") + parameter;
+  throw ParameterError(
+      "parameter ~" + printable(name) + ": unknown, got " + quoted(value) + "; known: " + known,
+      {name});
 }
 
 }  // namespace
+
+std::vector<std::string> parameterNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, reader] : readers()) names.push_back(name);
+  return names;
+}
 
 NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
   NodeOptions options;
@@ -116,15 +165,14 @@ NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
     XmlRpcValue copy = parameters;
     for (const auto& [name, value] : copy) {
       const auto reader = readers().find(name);
-      if (reader == readers().end())
-        throw ParameterError("parameter ~" + printable(name) + ": unknown, got " + quoted(value) +
-                             "; known: " + knownNames());
+      if (reader == readers().end()) refuseUnknown(name, value);
       reader->second(name, value, options);
     }
   }
   if (options.scene_file.empty() == options.scene_text.empty()) {
-    const std::string found = options.scene_file.empty() ? "neither" : "both";
-    throw ParameterError("parameters ~scene_file, ~scene: exactly one must be given, got " + found);
+    const std::string line = "parameters ~scene_file, ~scene: exactly one must be given, got ";
+    if (options.scene_file.empty()) throw ParameterError(line + "neither", {});
+    throw ParameterError(line + "both", {"scene", "scene_file"});
   }
   return options;
 }
@@ -145,14 +193,29 @@ void settleClock(NodeOptions& options, bool use_sim_time) {
            "absent unless /use_sim_time is true and ~publish_clock false: no clock is followed");
 }
 
-NodeOptions loadNodeOptions() {
+std::string describe(const ParameterError& error, const std::string& node,
+                     const std::set<std::string>& given) {
+  std::string line = error.what();
+  for (const std::string& name : error.parameters)
+    if (given.count(name) == 0)
+      line += "; it is on the master, maybe from an earlier start: rosparam delete " + node + "/" +
+              oneLine(name);
+  return line;
+}
+
+NodeOptions loadNodeOptions(const std::set<std::string>& given) {
+  const std::string& node = ros::this_node::getName();
   XmlRpcValue parameters;
-  ros::param::get(ros::this_node::getName(), parameters);
-  NodeOptions options = toNodeOptions(parameters);
-  bool use_sim_time = false;
-  ros::param::get("/use_sim_time", use_sim_time);
-  settleClock(options, use_sim_time);
-  return options;
+  ros::param::get(node, parameters);
+  try {
+    NodeOptions options = toNodeOptions(parameters);
+    bool use_sim_time = false;
+    ros::param::get("/use_sim_time", use_sim_time);
+    settleClock(options, use_sim_time);
+    return options;
+  } catch (const ParameterError& error) {
+    throw std::invalid_argument(describe(error, node, given));
+  }
 }
 
 }  // namespace rigid_body_sim

@@ -1,6 +1,8 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <set>
+#include <string>
 
 #include <ros/ros.h>
 
@@ -8,6 +10,7 @@
 
 #include "programs/package_directory.hpp"
 #include "programs/usage.hpp"
+#include "ros/node/command_line.hpp"
 #include "ros/node/simulation_node.hpp"
 #include "scene/message_text.hpp"
 
@@ -27,8 +30,13 @@ Simulates a scene in ROS time: takes wrenches from topics and services, publishe
   _publish_clock:=BOOL     start at 0 and send /clock; needs /use_sim_time; default false
   _clock_rate:=HZ          of /clock, per second of simulation time; default 100
   _start_time:=S           where on a /clock that is followed the run starts; default: where it is
-                           first heard
+                           first received
   _start_paused:=BOOL      default false
+  _body_topics:=BOOL       false: no topics of single bodies, which saves starting time with
+                           thousands of them; default true
+  _tf_prefix:=NAME         before the tf frames of bodies and points: NAME/<body>; default none
+  _odometry_covariance:=X  diagonal of both covariances in odometry, or a list of six numbers;
+                           default 0: exact
   _reset_time:=BOOL        ~reset sets time back, too; needs publish_clock; default false
   --help                   this text
 
@@ -45,23 +53,17 @@ Scene readScene(const NodeOptions& options) {
              : loadScene(options.scene_file, packageDirectory);
 }
 
-}  // namespace
+int refuseUsage(const std::string& fault) {
+  std::fprintf(stderr, "rigid_body_node: %s (rigid_body_node --help)\n", fault.c_str());
+  return kWrongUsage;
+}
 
-int main(int argc, char** argv) {
-  if (asksForHelp(argc, argv)) return std::fputs(kHelp, stdout) < 0 ? kBadInput : kDone;
-  ros::init(argc, argv, "rigid_body_node", ros::init_options::NoSigintHandler);
+int run(const NodeOptions& options, const Scene& scene) {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   const ros::NodeHandle keeps_ros_started;  // and its log, beyond the node itself
   if (!ros::ok()) return kDone;
-  if (argc > 1) {  // roscpp has taken what is for it
-    std::fprintf(stderr, "rigid_body_node: unknown argument '%s'; a scene is given as %s\n",
-                 printable(argv[1]).c_str(), "_scene_file:=FILE (rigid_body_node --help)");
-    return kWrongUsage;
-  }
   try {
-    const NodeOptions options = loadNodeOptions();
-    const Scene scene = readScene(options);
     SimulationNode node(options, scene);
     // not before: the line on a scene that is at fault stands alone
     for (const std::string& notice : scene.notices) ROS_WARN("%s", notice.c_str());
@@ -70,9 +72,30 @@ int main(int argc, char** argv) {
   } catch (const SimulationDiverged& error) {
     ROS_FATAL("%s", error.what());
     return kDiverged;
+  } catch (const std::exception&) {
+    if (!ros::ok()) return kDone;  // a shutdown ends what waits, too
+    throw;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (asksForHelp(argc, argv)) return printHelp("rigid_body_node", kHelp);
+  const std::string fault = missingUnderscore(argc, argv);
+  if (!fault.empty()) return refuseUsage(fault);
+  const std::set<std::string> given = givenParameters(argc, argv);
+  if (!initRos(argc, argv, "rigid_body_node", ros::init_options::NoSigintHandler))
+    return kWrongUsage;
+  if (argc > 1)  // roscpp has taken what is for it
+    return refuseUsage("unknown argument '" + printable(argv[1]) +
+                       "'; a scene is given as _scene_file:=FILE");
+  try {
+    // Until the scene is read nothing is registered with the master, and signals end the program: a
+    // file that is a pipe may never be written.
+    const NodeOptions options = loadNodeOptions(given);
+    return run(options, readScene(options));
   } catch (const std::exception& error) {
-    // a shutdown on the way here leaves parameters unread
-    if (!ros::ok()) return kDone;
     std::fprintf(stderr, "rigid_body_node: %s\n", error.what());
     return kBadInput;
   }

@@ -3,10 +3,14 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Log.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -38,11 +42,11 @@ std::string sceneFile(const std::string& yaml) {
   return path;
 }
 
-pid_t startNode(const std::string& name) {
+pid_t startNode(const std::string& name, const std::string& scene = RIGID_BODY_SIM_TEST_SCENE) {
   const pid_t child = fork();
   if (child == 0) {
     execl(RIGID_BODY_SIM_NODE, "rigid_body_node", ("__name:=" + name).c_str(),
-          "_scene_file:=" RIGID_BODY_SIM_TEST_SCENE, static_cast<char*>(nullptr));
+          ("_scene_file:=" + scene).c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
   return child;
@@ -54,6 +58,10 @@ int exitCodeAfter(int signal, pid_t child) {
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+bool isOneLine(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
 }
 
 /// Starts the node, waits for its services, and sends it the signal. Returns its exit code.
@@ -87,8 +95,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Refusal{"", "exactly one must be given, got neither"},
         Refusal{SCENE " _scene:='time_step: 1'", "exactly one must be given, got both"},
-        Refusal{SCENE " _publish_rate:=-1", "~publish_rate: must be a finite number > 0, got '-1'"},
-        Refusal{SCENE " _publish_rate:=fast", "~publish_rate: must be a finite number > 0"},
+        Refusal{SCENE " _publish_rate:=-1", "~publish_rate: must be a number > 0 and at most 1e9"},
+        Refusal{SCENE " _publish_rate:=1.7e308", "~publish_rate: must be a number > 0 and at most"},
+        Refusal{SCENE " _publish_rate:=fast", "~publish_rate: must be a number > 0"},
         Refusal{SCENE " _wrench_timeout:=-0.5", "~wrench_timeout: must be a finite number >= 0"},
         Refusal{SCENE " _start_paused:=1", "~start_paused: must be true or false, got '1'"},
         Refusal{SCENE " _publish_rat:=1", "~publish_rat: unknown, got '1'; known: clock_rate"},
@@ -97,6 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{SCENE " _start_time:=-1", "~start_time: must be a time >= 0 s that ROS can tell"},
         Refusal{"__name:=box " SCENE, "body 'box': name must not be that of the node"},
         Refusal{"_scene_file:=absent.yaml", "absent.yaml: cannot be opened"},
+        Refusal{"_scene:=/tmp/top.yaml", "a path belongs in ~scene_file, got '/tmp/top.yaml'"},
         Refusal{"_scene:='time_step: -1'", "parameter ~scene:1: "}));
 
 TEST(Node, RefusesAnArgumentThatIsNotForIt) {
@@ -107,6 +117,71 @@ TEST(Node, RefusesAnArgumentThatIsNotForIt) {
         << run.out;
     EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1) << run.out;
   }
+}
+
+TEST(Node, RefusesArgumentsThatRoscppWouldEndItFor) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"scene:=/tmp/x.yaml", "a parameter begins with _: _scene_file:=/tmp/x.yaml"},
+      {"scene_file:=/tmp/x.yaml", "a parameter begins with _: _scene_file:=/tmp/x.yaml"},
+      {"publish_rate:=50", "a parameter begins with _: _publish_rate:=50"},
+      {"__name:=9bad", "a name given by := is not one of ROS"},
+      {"odom:=/a.b", "a name given by := is not one of ROS"}};
+  for (const auto& [arguments, line] : cases) {
+    const Outcome run =
+        test::runCommand(RIGID_BODY_SIM_NODE " " SCENE " " + arguments + " 2>&1 >/dev/null");
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    EXPECT_NE(run.out.find(line), std::string::npos) << arguments << ": " << run.out;
+    EXPECT_TRUE(isOneLine(run.out)) << arguments << ": " << run.out;
+  }
+}
+
+TEST(Node, SaysWhereAParameterOfAnEarlierStartIsAndHowToDeleteIt) {
+  const std::string name = "/probe_with_a_past";
+  ros::param::set(name + "/publish_rat", 50);
+  const std::string command =
+      RIGID_BODY_SIM_NODE " __name:=probe_with_a_past " SCENE " _publish_rate:=50 2>&1 >/dev/null";
+  const Outcome run = test::runCommand(command);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("rosparam delete " + name + "/publish_rat\n"), std::string::npos)
+      << run.out;
+  EXPECT_TRUE(isOneLine(run.out)) << run.out;
+}
+
+TEST(Node, SaysThatItsHelpCannotBeWritten) {
+  for (const char* program : {RIGID_BODY_SIM_NODE, RIGID_BODY_SIM_DEMO_PUSHER}) {
+    const Outcome run = test::runCommand(std::string(program) + " --help 2>&1 >/dev/full");
+    EXPECT_EQ(run.exit_code, 1) << program;
+    EXPECT_NE(run.out.find("standard output cannot be written"), std::string::npos) << run.out;
+    EXPECT_TRUE(isOneLine(run.out)) << run.out;
+  }
+}
+
+TEST(Node, EndsOnASignalWhileItWaitsForASceneThatNobodyWrites) {
+  const std::string pipe = ::testing::TempDir() + "node_test_pipe";
+  unlink(pipe.c_str());
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const int signal : {SIGTERM, SIGINT}) {
+    const pid_t child = startNode(freshName(), pipe);
+    // it has opened the pipe once this side opens, too, and then waits for the text
+    const int end = open(pipe.c_str(), O_WRONLY);
+    ASSERT_GE(end, 0);
+    kill(child, signal);
+    int status = 0;
+    EXPECT_EQ(waitpid(child, &status, 0), child);
+    close(end);
+  }
+  unlink(pipe.c_str());
+}
+
+TEST(Node, StopsWhereRosTimeEnds) {
+  const std::string scene = sceneFile(R"(
+time_step: 1.0e+9
+bodies: [{name: rock, shape: {sphere: {radius: 1}}, mass: 1.0}]
+)");
+  const Outcome run = runNode("_real_time_factor:=0 _publish_rate:=1e-9 _scene_file:=" + scene);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("has no stamp: ROS time ends in 2106"), std::string::npos) << run.out;
+  EXPECT_TRUE(isOneLine(run.out)) << run.out;
 }
 
 TEST(Node, ExitsWithThreeWhenTheSimulationDiverges) {
