@@ -2,8 +2,10 @@
 #include <csignal>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,6 +15,7 @@
 #include <unistd.h>
 
 #include "node_driver.hpp"
+#include "ros/node/node_options.hpp"
 #include "support/run_command.hpp"
 
 namespace rigid_body_sim {
@@ -161,6 +164,38 @@ TEST(LaunchFiles, ShowInRvizWhatTheirNodesPublish) {
     const Launched launched(arguments);
     for (const std::string& topic : topics)
       EXPECT_TRUE(NodeDriver::waitFor([&] { return isPublished(topic); })) << topic;
+  }
+}
+
+TEST(LaunchFiles, PassOnEveryParameterOfTheNode) {
+  // by parameter: a value that is not its default, as an argument
+  const std::map<std::string, std::string> values{
+      {"body_topics", "false"},  {"clock_rate", "7"},      {"odometry_covariance", "0.5"},
+      {"publish_clock", "true"}, {"publish_rate", "8"},    {"real_time_factor", "2"},
+      {"reset_time", "true"},    {"start_paused", "true"}, {"start_time", "9"},
+      {"tf_prefix", "robot_1"},  {"wrench_timeout", "3"}};
+  const std::set<std::string> scene{"scene", "scene_file"};
+  const std::set<std::string> followed{"start_time"};  // on another node's clock only
+  const std::set<std::string> of_a_clock{"publish_clock", "clock_rate", "reset_time",
+                                         "real_time_factor"};
+  const std::vector<std::pair<std::string, std::set<std::string>>> files{
+      {"sim.launch " + kScene, followed},
+      {"demo.launch", followed},
+      {"remote.launch " + kScene, followed},
+      {"follower.launch ns:=a " + kScene, of_a_clock}};
+  for (const auto& [file, left_out] : files) {
+    std::string command = "roslaunch --dump-params rigid_body_sim " + file;
+    std::vector<std::string> expected;
+    for (const std::string& name : parameterNames()) {
+      if (scene.count(name) + left_out.count(name) > 0) continue;
+      ASSERT_EQ(values.count(name), 1U) << name;
+      const std::string argument = name == "start_paused" ? "paused" : name;
+      command += " " + argument + ":=" + values.at(name);
+      expected.push_back("rigid_body_node/" + name + ": " + values.at(name) + "\n");
+    }
+    const std::string parameters = test::runCommand(command).out;
+    for (const std::string& line : expected)
+      EXPECT_NE(parameters.find(line), std::string::npos) << file << ": " << line << parameters;
   }
 }
 
