@@ -101,4 +101,15 @@ TEST(Duration, IsTheNearestDouble) {
   EXPECT_EQ(toSeconds(ros::Duration(-1, 500000000)), -0.5);
 }
 
+TEST(TimeOrigin, SaysWhereRosTimeEnds) {
+  const TimeOrigin zero;
+  EXPECT_EQ(zero.stamp(4294967294.5), ros::Time(4294967294, 500000000));
+  EXPECT_EQ((TimeOrigin{ros::Time(4294967000)}.stamp(200)), ros::Time(4294967200));
+  for (const double t : {4294967296.0, 1e12, 1e300}) {
+    EXPECT_FALSE(zero.hasStamp(t));
+    EXPECT_THROW(zero.stamp(t), BeyondRosTime);
+  }
+  EXPECT_THROW((TimeOrigin{ros::Time(4294967000)}.stamp(400)), BeyondRosTime);
+}
+
 }  // namespace rigid_body_sim

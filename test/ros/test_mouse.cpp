@@ -87,7 +87,7 @@ bodies:
   World world = buildWorld(scene);
   State initial = initialState(scene, world);
   Simulation simulation{world, initial};
-  Inputs inputs{{[] { return false; }, {}},
+  Inputs inputs{{[] { return false; }, {}, {}},
                 "world",
                 simulation,
                 origin,

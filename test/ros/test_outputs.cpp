@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "ros/messages/tf_frames.hpp"
+#include "ros/outputs/markers.hpp"
 #include "ros/outputs/outputs.hpp"
 #include "support/lopsided_box.hpp"
 
@@ -21,10 +24,18 @@ struct Memory {
   Topic<Message> open(const std::string& name, bool) {
     return {[this] { return subscribers; },
             [this, name](const Message& message, const ros::Time&) { keep(name, message); },
-            [](const typename Topic<Message>::Greeting&) {}};
+            [this, name](const typename Topic<Message>::Greeting& greeting) {
+              // who comes is a subscriber of its own
+              come[name] = [this, name, greeting] {
+                if (const auto message = greeting()) keep(name, *message);
+              };
+            }};
   }
 
   void keep(const std::string& name, const nav_msgs::Odometry& m) { odometry[name].push_back(m); }
+  void keep(const std::string& name, const geometry_msgs::WrenchStamped& m) {
+    applied[name].push_back(m);
+  }
   void keep(const std::string&, const tf2_msgs::TFMessage& m) { tf.push_back(m); }
   void keep(const std::string&, const BodyStates& m) { states.push_back(m); }
   void keep(const std::string&, const rosgraph_msgs::Clock& m) { clock.push_back(m.clock); }
@@ -33,8 +44,10 @@ struct Memory {
     ++others[name];
   }
 
+  std::map<std::string, std::function<void()>> come;
   std::size_t subscribers = 1;
   std::map<std::string, std::vector<nav_msgs::Odometry>> odometry;
+  std::map<std::string, std::vector<geometry_msgs::WrenchStamped>> applied;
   std::vector<tf2_msgs::TFMessage> tf;  // the static ones first
   std::vector<BodyStates> states;
   std::vector<ros::Time> clock;
@@ -43,8 +56,9 @@ struct Memory {
 
 /// A run under wrenches, every step of it told.
 struct ToldRun {
-  explicit ToldRun(double time_step, double rate = 1e9)
-      : scene(sceneOf(time_step)), options(optionsOf(rate)) {}
+  /// With a rate of 0 [Hz] at every step.
+  explicit ToldRun(double time_step, double rate = 0)
+      : scene(sceneOf(time_step)), options(optionsOf(rate > 0 ? rate : 1 / time_step)) {}
 
   static NodeOptions optionsOf(double rate) {
     NodeOptions told;
@@ -76,6 +90,7 @@ wrenches:
   void steps(int count) {
     outputs.publishDue();
     for (int i = 0; i < count; ++i) {
+      outputs.publishWithinStep(1e9);
       simulation.step();
       outputs.publishDue();
     }
@@ -87,7 +102,7 @@ wrenches:
   Simulation simulation{world, initialState(scene, world)};
   TimeOrigin origin{ros::Time(1600000000, 123456789)};
   Memory memory;
-  Outputs outputs{openTopics(memory, world, true), options, scene, simulation, origin};
+  Outputs outputs{openTopics(memory, world, {true}), options, scene, simulation, origin};
 };
 
 Quaterniond attitude(const nav_msgs::Odometry& m) {
@@ -161,24 +176,69 @@ TEST(Outputs, TfAndStatesAreTheOdometry) {
   }
 }
 
-TEST(Outputs, StampsAreThoseOfTheStepsAndStrictlyIncrease) {
-  ToldRun run(0.003, 100);
-  run.steps(1000);
-  run.outputs.publishNow();
-  run.outputs.publishNow();
-  run.steps(0);  // once more for the same step
-  const std::vector<nav_msgs::Odometry>& told = run.memory.odometry.at("box/odom");
-  ASSERT_EQ(told.size(), 301U);
-  for (std::size_t k = 0; k < told.size(); ++k) {
-    // the first step of 3 ms that reaches k times 10 ms
-    const double step = std::ceil(static_cast<double>(k) * 10 / 3 - 1e-9);
-    ASSERT_EQ(told[k].header.stamp, run.origin.start + ros::Duration(0.003 * step)) << k;
-    if (k > 0) {
-      ASSERT_LT(told[k - 1].header.stamp, told[k].header.stamp);
+TEST(Outputs, StampsAreThoseOfTheirInstantsWhateverTheStep) {
+  for (const double h : {0.003, 0.01, 0.32}) {
+    for (const double rate : {100.0, 7.0, 333.0}) {
+      ToldRun run(h, rate);
+      run.steps(static_cast<int>(std::lround(1.92 / h)));
+      const std::vector<nav_msgs::Odometry>& told = run.memory.odometry.at("box/odom");
+      ASSERT_EQ(told.size(), static_cast<std::size_t>(std::floor(1.92 * rate + 1e-6)) + 1);
+      for (std::size_t k = 0; k < told.size(); ++k) {
+        const auto expected = static_cast<std::uint64_t>(
+            std::llround(1e9L * static_cast<long double>(k) / static_cast<long double>(rate)));
+        ASSERT_EQ(told[k].header.stamp.toNSec() - run.origin.start.toNSec(), expected) << k;
+      }
     }
   }
-  ASSERT_EQ(run.memory.clock.size(), 301U);
-  for (std::size_t k = 1; k < 301; ++k) ASSERT_LT(run.memory.clock[k - 1], run.memory.clock[k]);
+}
+
+TEST(Outputs, ShowTheMotionBetweenStepsAsSmallStepsDo) {
+  ToldRun small(0.01, 100);
+  small.steps(192);
+  ToldRun large(0.32, 100);
+  large.steps(6);
+  const std::vector<nav_msgs::Odometry>& a = small.memory.odometry.at("box/odom");
+  const std::vector<nav_msgs::Odometry>& b = large.memory.odometry.at("box/odom");
+  ASSERT_EQ(a.size(), b.size());
+  // both are solved to rounding: some 200 times that of numbers up to 30
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ASSERT_LT((position(a[k]) - position(b[k])).norm(), 1e-12) << k;
+    ASSERT_LT(rotationBetween(attitude(a[k]), attitude(b[k])).norm(), 1e-12) << k;
+    ASSERT_LT((fromVector3(a[k].twist.twist.linear) - fromVector3(b[k].twist.twist.linear)).norm(),
+              1e-12)
+        << k;
+  }
+}
+
+TEST(Outputs, ShowTheWrenchThatActsAtTheInstantWithinAStep) {
+  ToldRun run(0.32, 100);
+  PointWrench push;
+  push.body = push.point_frame = 1;
+  push.force = {5, 0, 0};
+  push.start = 0.105;
+  push.end = 0.155;
+  run.simulation.applyWrench("", push);
+  run.steps(1);
+  const std::vector<geometry_msgs::WrenchStamped>& told =
+      run.memory.applied.at("ball/applied_wrench");
+  ASSERT_EQ(told.size(), 33U);
+  for (std::size_t k = 0; k < told.size(); ++k)
+    EXPECT_EQ(fromVector3(told[k].wrench.force).norm(), k > 10 && k < 16 ? 5 : 0) << k;
+}
+
+TEST(Outputs, StampsStrictlyIncreaseThoughAStateIsAskedForTwice) {
+  ToldRun run(0.003, 100);
+  run.steps(7);
+  run.outputs.publishNow();
+  run.outputs.publishNow();
+  run.steps(100);
+  const std::vector<nav_msgs::Odometry>& told = run.memory.odometry.at("box/odom");
+  ASSERT_EQ(told.size(), 34U);
+  for (std::size_t k = 1; k < told.size(); ++k)
+    ASSERT_LT(told[k - 1].header.stamp, told[k].header.stamp);
+  EXPECT_EQ(told[3].header.stamp, run.origin.start + ros::Duration(0, 21000000));
+  ASSERT_EQ(run.memory.clock.size(), 34U);
+  for (std::size_t k = 1; k < 34; ++k) ASSERT_LT(run.memory.clock[k - 1], run.memory.clock[k]);
 }
 
 TEST(Outputs, BeginAtTheStartOfAClockFromZero) {
@@ -186,7 +246,7 @@ TEST(Outputs, BeginAtTheStartOfAClockFromZero) {
   run.origin = TimeOrigin{};
   run.steps(5);
   run.steps(0);  // once more for the same step
-  const std::vector<ros::Time> expected{ros::Time(), ros::Time(0, 12000000),
+  const std::vector<ros::Time> expected{ros::Time(), ros::Time(0, 10000000),
                                         ros::Time(0, 20000000)};
   EXPECT_EQ(run.memory.clock, expected);
   std::vector<ros::Time> stamps;
@@ -200,6 +260,99 @@ TEST(Outputs, BeginAtTheStartOfAClockFromZero) {
   run.steps(0);
   EXPECT_EQ(run.memory.clock.back(), ros::Time());
   EXPECT_EQ(run.memory.odometry.at("box/odom").back().header.stamp, ros::Time());
+}
+
+TEST(Outputs, SendTheStandingStateToWhoComes) {
+  ToldRun run(0.003, 100);
+  run.memory.subscribers = 0;
+  run.steps(7);
+  for (const auto& [name, come] : run.memory.come) come();
+  EXPECT_TRUE(run.memory.odometry.empty());  // time runs: the next instant will do
+
+  run.outputs.setStanding(true);
+  for (const auto& [name, come] : run.memory.come) come();
+  const ros::Time now = run.origin.start + ros::Duration(0, 21000000);
+  ASSERT_EQ(run.memory.odometry.at("box/odom").size(), 1U);
+  EXPECT_EQ(run.memory.odometry.at("box/odom")[0].header.stamp, now);
+  EXPECT_EQ(position(run.memory.odometry.at("box/odom")[0]),
+            toBodyFrameMotion(run.world.bodies[0], run.simulation.state().bodies[0]).x_W);
+  ASSERT_EQ(run.memory.states.size(), 1U);
+  EXPECT_EQ(run.memory.states[0].header.stamp, now);
+  ASSERT_EQ(run.memory.tf.size(), 2U);
+  EXPECT_EQ(run.memory.tf[1].transforms[0].header.stamp, now);
+}
+
+TEST(Outputs, NeverRepeatAStampOnTf) {
+  ToldRun run(0.01, 100);
+  run.outputs.setStanding(true);
+  run.memory.come.at("/tf")();
+  run.outputs.repeatState();
+  run.outputs.setStanding(false);
+  run.steps(3);
+  run.outputs.setStanding(true);
+  run.outputs.repeatState();
+  run.outputs.repeatState();
+  run.outputs.setStanding(false);
+  run.steps(3);
+  ASSERT_EQ(run.memory.tf.size(), 8U);  // the static one, and those of seven steps
+  for (std::size_t k = 2; k < 8; ++k)
+    ASSERT_LT(run.memory.tf[k - 1].transforms[0].header.stamp,
+              run.memory.tf[k].transforms[0].header.stamp);
+}
+
+TEST(Outputs, RepeatClockAndStandingStateWithTheirStamps) {
+  ToldRun run(0.01, 50);
+  run.steps(3);
+  run.outputs.setStanding(true);
+  for (int i = 0; i < 3; ++i) {
+    run.outputs.repeatClock();
+    run.outputs.repeatState();
+  }
+  const ros::Time now = run.origin.start + ros::Duration(0, 30000000);
+  ASSERT_EQ(run.memory.clock.size(), 4U + 3);
+  ASSERT_EQ(run.memory.states.size(), 2U + 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(run.memory.clock[4 + k], now);
+    EXPECT_EQ(run.memory.states[2 + k].header.stamp, now);
+    EXPECT_EQ(run.memory.states[2 + k].pose, run.memory.states[2].pose);
+  }
+}
+
+TEST(Outputs, BearThePrefixAndTheCovarianceThatAreAskedFor) {
+  const Scene scene = ToldRun::sceneOf(0.01);
+  NodeOptions options;
+  options.tf_prefix = "robot_1";
+  options.odometry_covariance = {1, 2, 3, 4, 5, 6};
+  const World world = buildWorld(scene);
+  const Simulation simulation(world, initialState(scene, world));
+  const TimeOrigin origin;
+  Memory memory;
+  Outputs outputs(openTopics(memory, world, {}), options, scene, simulation, origin);
+  outputs.publishDue();
+  const nav_msgs::Odometry& odometry = memory.odometry.at("box/odom").at(0);
+  EXPECT_EQ(odometry.header.frame_id, "world");
+  EXPECT_EQ(odometry.child_frame_id, "robot_1/box");
+  for (std::size_t i = 0; i < 36; ++i) {
+    const double expected = i % 7 == 0 ? 1.0 + static_cast<double>(i) / 7 : 0;
+    EXPECT_EQ(odometry.pose.covariance[i], expected);
+    EXPECT_EQ(odometry.twist.covariance[i], expected);
+  }
+  EXPECT_EQ(memory.tf.at(0).transforms.at(0).header.frame_id, "robot_1/box");
+  EXPECT_EQ(memory.tf.at(0).transforms.at(0).child_frame_id, "robot_1/box/tip");
+  EXPECT_EQ(memory.tf.at(0).transforms.at(1).header.frame_id, "world");
+  EXPECT_EQ(memory.tf.at(0).transforms.at(1).child_frame_id, "robot_1/post");
+  EXPECT_EQ(memory.tf.at(1).transforms.at(0).child_frame_id, "robot_1/box");
+  EXPECT_EQ(toMarkers(scene, TfFrames(scene, "robot_1")).markers.at(0).header.frame_id,
+            "robot_1/box");
+}
+
+TEST(Outputs, LeaveOutTheTopicsOfSingleBodies) {
+  const Scene scene = ToldRun::sceneOf(0.01);
+  const World world = buildWorld(scene);
+  Memory memory;
+  TopicChoice choice;
+  choice.single_bodies = false;
+  EXPECT_TRUE(openTopics(memory, world, choice).bodies.empty());
 }
 
 TEST(Outputs, TellNothingToNobody) {

@@ -216,4 +216,16 @@ TEST_F(WrenchMessages, RefusesAFrameThatDoesNotSayWhereOnTheBody) {
   EXPECT_EQ(fault(onBody("post")), "frame 'post' must be 'map' or fixed to body 'box'");
 }
 
+TEST_F(WrenchMessages, TakeTheFramesOfAPrefixAsThoseOfTheScene) {
+  WrenchIntake with_prefix(scene, world.bodies, 0.5, "robot_1");
+  for (const std::string frame : {"box", "box/tip"}) {
+    const WrenchInput plain = take(onBody(frame));
+    const WrenchInput prefixed = with_prefix.take("box", onBody("robot_1/" + frame), now);
+    EXPECT_EQ(force(prefixed.wrench), force(plain.wrench)) << frame;
+    EXPECT_EQ(torque(prefixed.wrench), torque(plain.wrench)) << frame;
+  }
+  EXPECT_THROW(with_prefix.take("box", onBody("robot_1/other"), now), std::invalid_argument);
+  EXPECT_THROW(with_prefix.take("box", onBody("robot_2/box"), now), std::invalid_argument);
+}
+
 }  // namespace rigid_body_sim

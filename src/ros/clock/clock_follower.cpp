@@ -10,16 +10,19 @@ constexpr std::uint32_t kClockQueue = 100;
 }  // namespace
 
 ClockFollower::ClockFollower(ros::NodeHandle nh)
-    : subscriber_(nh.subscribe("/clock", kClockQueue, &ClockFollower::hear, this,
+    : subscriber_(nh.subscribe("/clock", kClockQueue, &ClockFollower::receive, this,
                                ros::TransportHints().tcpNoDelay())) {}
 
 bool ClockFollower::takeSetBack() { return std::exchange(set_back_, false); }
 
-void ClockFollower::hear(const rosgraph_msgs::Clock& message) {
-  if (message.clock < now_) set_back_ = true;
+void ClockFollower::receive(const ClockEvent& event) {
+  sources_.note(event, subscriber_);
+  const ros::Time& clock = event.getMessage()->clock;
+  received_ = true;
+  if (clock == now_) return;  // it stands still
+  if (clock < now_) set_back_ = true;
   before_ = set_back_ ? ros::Time() : now_;
-  heard_ = true;
-  now_ = message.clock;
+  now_ = clock;
 }
 
 }  // namespace rigid_body_sim

@@ -20,4 +20,8 @@ void Pacer::begin(double t, double h, Clock::time_point now) {
   if (late > kBacklogLimit) restart(t, now);
 }
 
+void Pacer::dropBacklog(double t, Clock::time_point now) {
+  if (real_time_factor_ > 0 && wait(t, now) < -kBacklogLimit) restart(t, now);
+}
+
 }  // namespace rigid_body_sim

@@ -24,6 +24,9 @@ class Pacer {
   /// The step from t − h to t begins now. Late by more than its own length: an overrun.
   void begin(double t, double h, Clock::time_point now);
 
+  /// Simulation time t [s] is due now. What has fallen behind by more than the limit is dropped.
+  void dropBacklog(double t, Clock::time_point now);
+
   std::int64_t overruns() const { return overruns_; }
 
  private:

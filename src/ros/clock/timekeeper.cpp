@@ -14,7 +14,19 @@ Timekeeper::Timekeeper(const NodeOptions& options, const ros::NodeHandle& nh,
     : options_(options),
       pacer_(options.follow_clock ? 0 : options.real_time_factor),
       clock_(options.follow_clock ? std::make_unique<ClockFollower>(nh) : nullptr),
+      own_clock_(options.publish_clock ? subscribeToClock(nh) : ros::Subscriber()),
       origin_(findStart(queue)) {}
+
+/// Its own messages, and those of a node that should not publish it.
+ros::Subscriber Timekeeper::subscribeToClock(ros::NodeHandle nh) {
+  constexpr std::uint32_t kClockQueue = 10;
+  const boost::function<void(const ClockEvent&)> note = [this](const ClockEvent& event) {
+    sources_.note(event, own_clock_);
+  };
+  ros::SubscribeOptions options;
+  options.initByFullCallbackType<const ClockEvent&>("/clock", kClockQueue, note);
+  return nh.subscribe(options);
+}
 
 TimeOrigin Timekeeper::findStart(ros::CallbackQueue& queue) const {
   if (options_.publish_clock) return {ros::Time()};
@@ -30,15 +42,15 @@ TimeOrigin Timekeeper::findStart(ros::CallbackQueue& queue) const {
 void Timekeeper::waitForClock(ros::CallbackQueue& queue) const {
   constexpr std::chrono::seconds kSilence(1);
   const Pacer::Clock::time_point begin = Pacer::Clock::now();
-  bool told = false;
-  while (!clock_->isHeard()) {
-    if (!ros::ok()) throw std::runtime_error("shut down before /clock was heard");
+  bool warned = false;
+  while (!clock_->isReceived()) {
+    if (!ros::ok()) throw std::runtime_error("shut down before /clock was received");
     queue.callAvailable(ros::WallDuration(kLongestWait));
-    if (told || Pacer::Clock::now() - begin < kSilence) continue;
-    told = true;
+    if (warned || Pacer::Clock::now() - begin < kSilence) continue;
+    warned = true;
     ROS_WARN(
         "waiting for /clock: /use_sim_time is true, ~publish_clock false, and nobody sends it; "
-        "topics and services come up once it is heard");
+        "topics and services come up once it is received");
   }
 }
 
@@ -49,11 +61,17 @@ double Timekeeper::untilDue(double t) const {
   return std::min(pacer_.wait(t, Pacer::Clock::now()), kLongestWait);
 }
 
-bool Timekeeper::isAhead(double t) const { return clock_ && origin_.stamp(t) > clock_->now(); }
+bool Timekeeper::isAhead(double t) const {
+  return clock_ && (!origin_.hasStamp(t) || origin_.stamp(t) > clock_->now());
+}
 
 void Timekeeper::begin(double t, double h) {
   if (!clock_) return pacer_.begin(t, h, Pacer::Clock::now());
   if (origin_.stamp(t) <= clock_->before()) ++left_behind_;
+}
+
+void Timekeeper::dropBacklog(double t) {
+  if (!clock_) pacer_.dropBacklog(t, Pacer::Clock::now());
 }
 
 bool Timekeeper::takeSetBack() {

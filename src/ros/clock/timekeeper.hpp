@@ -17,9 +17,10 @@ namespace rigid_body_sim {
 /// clock is never passed; a step that it has left behind is taken at once, and none is dropped.
 class Timekeeper {
  public:
-  /// Waits for a clock that is followed from where it is first heard, and says so after a second:
-  /// before, there is no stamp to give and no start to count from. The queue, which outlives this,
-  /// is that of the handle. Throws std::runtime_error when ROS shuts down while it waits.
+  /// Waits for a clock that is followed from where it is first received, and says so after a
+  /// second: before, there is no stamp to give and no start to count from. The queue, which
+  /// outlives this, is that of the handle. Throws std::runtime_error when ROS shuts down while it
+  /// waits.
   Timekeeper(const NodeOptions& options, const ros::NodeHandle& nh, ros::CallbackQueue& queue);
 
   const TimeOrigin& origin() const { return origin_; }
@@ -35,8 +36,11 @@ class Timekeeper {
   bool isAhead(double t) const;
 
   /// The step from t − h to t begins now. Late is one that begins later than by its own length, or,
-  /// with a clock that is followed, after the clock has been heard again since it was due.
+  /// with a clock that is followed, after the clock has moved on since it was due.
   void begin(double t, double h);
+
+  /// An instant t [s] within a step is published now.
+  void dropBacklog(double t);
 
   /// Whether a clock that is followed has been set back since this was asked last, and simulation
   /// time with it: to its start, which lies where the clock is now unless start_time says where.
@@ -48,12 +52,15 @@ class Timekeeper {
   static constexpr double kLongestWait = 0.05;
 
  private:
+  ros::Subscriber subscribeToClock(ros::NodeHandle nh);
   TimeOrigin findStart(ros::CallbackQueue& queue) const;
   void waitForClock(ros::CallbackQueue& queue) const;
 
   NodeOptions options_;
   Pacer pacer_;
   std::unique_ptr<ClockFollower> clock_;  // null unless it is another's
+  ClockSources sources_;
+  ros::Subscriber own_clock_;  // with publish_clock
   TimeOrigin origin_;
   std::int64_t left_behind_ = 0;  // steps, by a clock that is followed
 };

@@ -20,15 +20,18 @@ bool restartsTime(const SimulationInput& input) {
 }  // namespace
 
 Inputs::Inputs(Topic<Input> record, const std::string& world_frame, Simulation& simulation,
-               const TimeOrigin& origin, double clock_period, Listener listener)
+               const TimeOrigin& origin, double clock_period, Listener listener,
+               Preparation prepare)
     : world_frame_(world_frame),
       simulation_(simulation),
       origin_(origin),
       clock_period_(clock_period),
+      prepare_(std::move(prepare)),
       listener_(std::move(listener)),
       record_(std::move(record)) {}
 
 void Inputs::apply(const SimulationInput& input) {
+  if (prepare_) prepare_();
   simulation_.apply(input);
   if (restartsTime(input)) {
     ++run_;

@@ -26,11 +26,13 @@ class Inputs {
   static constexpr std::chrono::milliseconds kClockDelay{100};
 
   using Listener = std::function<void(const SimulationInput&)>;
+  using Preparation = std::function<void()>;
 
-  /// clock_period [s] of simulation time: of the clock that this node sends. The listener is called
-  /// after each input. Simulation and origin are referred to, not copied.
+  /// clock_period [s] of simulation time: of the clock that this node sends. prepare is called
+  /// before each input, the listener after it. Simulation and origin are referred to, not copied.
   Inputs(Topic<Input> record, const std::string& world_frame, Simulation& simulation,
-         const TimeOrigin& origin, double clock_period, Listener listener = nullptr);
+         const TimeOrigin& origin, double clock_period, Listener listener = nullptr,
+         Preparation prepare = nullptr);
 
   /// As Simulation::apply.
   void apply(const SimulationInput& input);
@@ -48,6 +50,7 @@ class Inputs {
   Simulation& simulation_;
   const TimeOrigin& origin_;
   double clock_period_;
+  Preparation prepare_;
   Listener listener_;
   std::uint32_t run_ = 0;
   std::uint64_t number_ = 0;

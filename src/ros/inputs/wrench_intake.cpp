@@ -7,6 +7,7 @@
 
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
 
+#include "ros/messages/tf_frames.hpp"
 #include "scene/limits.hpp"
 
 namespace rigid_body_sim {
@@ -34,11 +35,22 @@ void requireDuration(double duration, const std::string& id) {
 std::string slotOfId(const std::string& id) { return id.empty() ? "" : "id " + id; }
 
 WrenchIntake::WrenchIntake(const Scene& scene, const std::vector<Body>& bodies,
-                           double wrench_timeout)
+                           double wrench_timeout, const std::string& tf_prefix)
     : bodies_(bodies),
       world_frame_(scene.world_frame),
       wrench_timeout_(wrench_timeout),
-      frames_(scene, bodies) {}
+      frames_(scene, bodies) {
+  const TfFrames frames(scene, tf_prefix);
+  const auto addName = [this](const std::string& name, const std::string& frame) {
+    if (name != frame) frames_.attach(name, frame, Isometry3d::Identity());
+  };
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const BodyDef& body = scene.bodies[i];
+    addName(frames.of(i), body.name);
+    for (const PointDef& point : body.points)
+      addName(frames.of(i, point), body.name + "/" + point.name);
+  }
+}
 
 WrenchInput WrenchIntake::take(const std::string& body, const geometry_msgs::WrenchStamped& message,
                                double now) {

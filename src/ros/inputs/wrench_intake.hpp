@@ -28,7 +28,9 @@ class WrenchIntake {
  public:
   /// wrench_timeout [s]: after its start, a wrench of duration 0 ends; 0: never. The bodies, those
   /// of the scene's world, are referred to, not copied.
-  WrenchIntake(const Scene& scene, const std::vector<Body>& bodies, double wrench_timeout);
+  /// Messages may name the frames of tf_prefix (TfFrames) and those of the scene.
+  WrenchIntake(const Scene& scene, const std::vector<Body>& bodies, double wrench_timeout,
+               const std::string& tf_prefix = "");
 
   /// Takes in the frames of a body of the world; gives them back.
   void add(const BodyDef& def, std::size_t body) { frames_.add(def, bodies_[body], body); }

@@ -32,17 +32,17 @@ std::vector<std::size_t> wrenchesOfScene(const World& world) {
 
 WrenchInterfaces::WrenchInterfaces(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
                                    const Scene& scene, const Simulation& simulation, Inputs& inputs,
-                                   const TimeOrigin& origin, double wrench_timeout,
+                                   const TimeOrigin& origin, const NodeOptions& options,
                                    Refusals& refusals)
     : nh_(nh),
       simulation_(simulation),
       inputs_(inputs),
       origin_(origin),
       refusals_(refusals),
-      intake_(scene, simulation.world().bodies, wrench_timeout),
+      intake_(scene, simulation.world().bodies, options.wrench_timeout, options.tf_prefix),
       wrenches_of_scene_(wrenchesOfScene(simulation.world())) {
   for (const Body& body : simulation.world().bodies) {
-    if (!body.fixed) subscribe(body.name);
+    if (!body.fixed && options.body_topics) subscribe(body.name);
   }
   ros::NodeHandle own(private_nh);
   wrench_ = subscribeAtOnce<AppliedWrench>(

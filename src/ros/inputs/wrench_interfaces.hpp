@@ -12,6 +12,7 @@
 #include "ros/inputs/inputs.hpp"
 #include "ros/inputs/refusals.hpp"
 #include "ros/inputs/wrench_intake.hpp"
+#include "ros/node/node_options.hpp"
 
 namespace rigid_body_sim {
 
@@ -27,7 +28,7 @@ class WrenchInterfaces {
   /// Simulation, inputs and refusals are referred to, not copied.
   WrenchInterfaces(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, const Scene& scene,
                    const Simulation& simulation, Inputs& inputs, const TimeOrigin& origin,
-                   double wrench_timeout, Refusals& refusals);
+                   const NodeOptions& options, Refusals& refusals);
 
   /// Takes in a body of the world: its frames and, where it moves, its topic. Gives it back.
   void add(const BodyDef& def, std::size_t body);

@@ -1,6 +1,7 @@
 #include "ros/messages/conversions.hpp"
 
 #include <cmath>
+#include <sstream>
 
 namespace rigid_body_sim {
 namespace {
@@ -11,7 +12,18 @@ std::int64_t nanoseconds(const ros::Time& stamp) {
 
 }  // namespace
 
+bool TimeOrigin::hasStamp(double t) const {
+  constexpr double kEnd = 4294967296.0;  // [s] 2^32
+  return t < kEnd && t + start.toSec() < kEnd - 1;
+}
+
 ros::Time TimeOrigin::stamp(double t) const {
+  if (!hasStamp(t)) {
+    std::ostringstream line;
+    line << "simulation time " << t << " s has no stamp: ROS time ends in 2106, 2^32 s after its "
+         << "start, and this run began at " << start << " s";
+    throw BeyondRosTime(line.str());
+  }
   ros::Time stamp;
   stamp.fromNSec(static_cast<std::uint64_t>(nanoseconds(start) + std::llround(t * 1e9)));
   return stamp;
@@ -84,12 +96,12 @@ nav_msgs::Odometry toOdometry(const Body& body, const BodyState& state,
 
 geometry_msgs::TransformStamped toTransform(const Body& body, const BodyState& state,
                                             const std::string& world_frame,
-                                            const ros::Time& stamp) {
+                                            const std::string& body_frame, const ros::Time& stamp) {
   const BodyFrameMotion motion = toBodyFrameMotion(body, state);
   geometry_msgs::TransformStamped transform;
   transform.header.stamp = stamp;
   transform.header.frame_id = world_frame;
-  transform.child_frame_id = body.name;
+  transform.child_frame_id = body_frame;
   transform.transform.translation = toVector3(motion.x_W);
   transform.transform.rotation = toQuaternion(motion.q_WB);
   return transform;

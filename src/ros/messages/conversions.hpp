@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 
 #include <geometry_msgs/Pose.h>
@@ -13,12 +14,21 @@
 
 namespace rigid_body_sim {
 
+/// A simulation time that has no stamp; what() is one line.
+class BeyondRosTime : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Where simulation time zero lies in ROS time. Whole nanoseconds on both sides: a double of
 /// seconds since 1970 is good to 2e-7 s only.
 struct TimeOrigin {
   ros::Time start;
 
-  /// Stamp of simulation time t [s].
+  /// Whether simulation time t [s] has a stamp: ROS time ends 2^32 s after its start, in 2106.
+  bool hasStamp(double t) const;
+
+  /// Stamp of simulation time t [s]. Throws BeyondRosTime.
   ros::Time stamp(double t) const;
   /// Simulation time [s] of a stamp; negative before the start.
   double simulationTime(const ros::Time& stamp) const;
@@ -46,7 +56,8 @@ nav_msgs::Odometry toOdometry(const Body& body, const BodyState& state,
 
 /// The body frame in the world.
 geometry_msgs::TransformStamped toTransform(const Body& body, const BodyState& state,
-                                            const std::string& world_frame, const ros::Time& stamp);
+                                            const std::string& world_frame,
+                                            const std::string& body_frame, const ros::Time& stamp);
 
 /// The frame `child` at pose X in the frame `parent`.
 geometry_msgs::TransformStamped toTransform(const Isometry3d& X, const std::string& parent,

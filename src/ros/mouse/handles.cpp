@@ -39,29 +39,32 @@ std::vector<Marker> ballOf(const Body& body) {
 
 }  // namespace
 
-InteractiveMarker toHandle(const BodyDef& def, const Body& body) {
+InteractiveMarker toHandle(const BodyDef& def, const Body& body, const std::string& frame) {
   InteractiveMarkerControl control;
   control.name = "push";
   control.orientation.w = 1;
   control.orientation_mode = InteractiveMarkerControl::VIEW_FACING;
   control.independent_marker_orientation = true;
   control.interaction_mode = InteractiveMarkerControl::MOVE_PLANE;
-  std::vector<Marker> markers = toMarkers(def);
+  std::vector<Marker> markers = toMarkers(def, frame);
   for (const Marker& marker : markers.empty() ? ballOf(body) : markers)
     control.markers.push_back(shellOf(marker, body.X_BP.translation()));
 
   InteractiveMarker handle;
-  handle.header.frame_id = handle.name = body.name;
+  handle.header.frame_id = frame;
+  handle.name = body.name;
   handle.pose.orientation.w = 1;
   handle.scale = static_cast<float>(sizeOf(body));
   handle.controls.push_back(control);
   return handle;
 }
 
-std::vector<InteractiveMarker> toHandles(const Scene& scene, const World& world) {
+std::vector<InteractiveMarker> toHandles(const Scene& scene, const World& world,
+                                         const TfFrames& frames) {
   std::vector<InteractiveMarker> handles;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (!world.bodies[i].fixed) handles.push_back(toHandle(scene.bodies[i], world.bodies[i]));
+    if (!world.bodies[i].fixed)
+      handles.push_back(toHandle(scene.bodies[i], world.bodies[i], frames.of(i)));
   }
   return handles;
 }

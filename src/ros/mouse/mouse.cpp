@@ -3,6 +3,7 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <rigid_body_sim/math/isometry.hpp>
 
@@ -20,8 +21,12 @@ bool isFinite(const PointWrench& pull) {
 
 }  // namespace
 
-Mouse::Mouse(const Simulation& simulation, Inputs& inputs, double wrench_timeout)
-    : simulation_(simulation), inputs_(inputs), wrench_timeout_(wrench_timeout) {
+Mouse::Mouse(const Simulation& simulation, Inputs& inputs, double wrench_timeout,
+             std::vector<std::string> tf_frames)
+    : simulation_(simulation),
+      inputs_(inputs),
+      wrench_timeout_(wrench_timeout),
+      tf_frames_(std::move(tf_frames)) {
   const std::vector<Body>& bodies = simulation.world().bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i].fixed) add(i);
@@ -39,11 +44,12 @@ std::string Mouse::take(const Feedback& feedback) {
   const std::string& name = feedback.marker_name;
   const auto found = moving_bodies_.find(name);
   if (found == moving_bodies_.end()) return "unknown handle '" + printable(name) + "'";
-  if (feedback.header.frame_id != name)
-    return "feedback on handle '" + name + "' must be in frame '" + name + "', got '" +
+  const std::size_t body = found->second;
+  const std::string& frame = tf_frames_.empty() ? name : tf_frames_[body];
+  if (feedback.header.frame_id != frame)
+    return "feedback on handle '" + name + "' must be in frame '" + frame + "', got '" +
            printable(feedback.header.frame_id) + "'";
 
-  const std::size_t body = found->second;
   if (feedback.event_type == Feedback::MOUSE_DOWN) return press(body, feedback);
   const auto hold = holds_.find(body);
   if (hold == holds_.end() || hold->second.client != feedback.client_id) return "";
@@ -100,8 +106,8 @@ std::string Mouse::pull(Hold& hold) {
   const World& world = simulation_.world();
   note(hold);
   if (simulation_.time() >= hold.until) return "";
-  PointWrench pull = pullOf(hold.spring, world.bodies[body], simulation_.body(body),
-                            world.solver.time_step);
+  PointWrench pull =
+      pullOf(hold.spring, world.bodies[body], simulation_.body(body), world.solver.time_step);
   pull.start = simulation_.time();
   pull.end = hold.until;
   try {

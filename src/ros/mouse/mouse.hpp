@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <visualization_msgs/InteractiveMarkerFeedback.h>
 
@@ -18,8 +19,10 @@ namespace rigid_body_sim {
 class Mouse {
  public:
   /// wrench_timeout [s of simulation time]: how long a body is pulled without feedback; 0: for
-  /// ever. Simulation and inputs are referred to, not copied.
-  Mouse(const Simulation& simulation, Inputs& inputs, double wrench_timeout);
+  /// ever. tf_frames: of the bodies, by body; empty: their names. Simulation and inputs are
+  /// referred to, not copied.
+  Mouse(const Simulation& simulation, Inputs& inputs, double wrench_timeout,
+        std::vector<std::string> tf_frames = {});
 
   /// Takes in a body of the world that moves; gives it back, and ends its pull.
   void add(std::size_t body);
@@ -58,6 +61,7 @@ class Mouse {
   const Simulation& simulation_;
   Inputs& inputs_;
   double wrench_timeout_;
+  std::vector<std::string> tf_frames_;                // by body; empty: their names
   std::map<std::string, std::size_t> moving_bodies_;  // by name
   std::map<std::size_t, Hold> holds_;                 // by body
 };

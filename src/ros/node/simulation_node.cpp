@@ -1,11 +1,13 @@
 #include "ros/node/simulation_node.hpp"
 
 #include <chrono>
+#include <utility>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
 #include "ros/mouse/handles.hpp"
+#include "ros/node/interfaces.hpp"
 #include "ros/outputs/ros_transport.hpp"
 
 namespace rigid_body_sim {
@@ -15,6 +17,9 @@ using SteadyClock = std::chrono::steady_clock;
 
 /// Given to roscpp [s] to write the last diagnostics: a shutdown drops what is not written yet.
 constexpr double kTimeToWrite = 0.2;
+
+/// While time stands, /clock is sent again that often.
+constexpr std::chrono::milliseconds kClockPeriod(100);
 
 /// While ~step takes many steps, other callbacks are served that often.
 constexpr std::chrono::milliseconds kServicePeriod(50);
@@ -38,12 +43,19 @@ Simulation makeSimulation(const Scene& scene) {
 
 OutputTopics rosTopics(const ros::NodeHandle& nh, const World& world, const NodeOptions& options) {
   RosTransport transport(nh);
-  return openTopics(transport, world, options.publish_clock);
+  return openTopics(transport, world, {options.publish_clock, options.body_topics});
 }
 
 Topic<Input> inputsTopic(const ros::NodeHandle& nh) {
   constexpr std::uint32_t kASecond = 10000;  // of inputs that wait for a subscriber
   return RosTransport(nh, kASecond).open<Input>("~inputs", false);
+}
+
+std::vector<std::string> movingNames(const World& world) {
+  std::vector<std::string> names;
+  for (const Body& body : world.bodies)
+    if (!body.fixed) names.push_back(body.name);
+  return names;
 }
 
 }  // namespace
@@ -55,50 +67,69 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       time_(options, queues_.nh, queues_.queue),
       outputs_(rosTopics(queues_.nh, simulation_.world(), options), options, scene, simulation_,
                time_.origin()),
-      inputs_(inputsTopic(queues_.nh), scene.world_frame, simulation_, time_.origin(),
-              options.publish_clock ? 1 / options.clock_rate : 0,
-              [this](const SimulationInput& input) { follow(input); }),
+      inputs_(
+          inputsTopic(queues_.nh), scene.world_frame, simulation_, time_.origin(),
+          options.publish_clock ? 1 / options.clock_rate : 0,
+          [this](const SimulationInput& input) { follow(input); }, [this] { prepareForInput(); }),
       monitor_(queues_.nh, queues_.private_nh, scene.world_frame, simulation_, time_.origin()),
-      mouse_(simulation_, inputs_, options.wrench_timeout),
-      handles_(queues_.private_nh, toHandles(scene, simulation_.world()),
+      mouse_(simulation_, inputs_, options.wrench_timeout,
+             TfFrames(scene, options.tf_prefix).bodies()),
+      handles_(queues_.private_nh,
+               toHandles(scene, simulation_.world(), TfFrames(scene, options.tf_prefix)),
                [this](const HandleTopics::Feedback& feedback) {
                  refusals_.check("mouse feedback", mouse_.take(feedback));
                }),
       wrenches_(queues_.nh, queues_.private_nh, scene, simulation_, inputs_, time_.origin(),
-                options.wrench_timeout, refusals_),
+                options, refusals_),
       states_(queues_.private_nh, scene.world_frame, simulation_, inputs_),
       pause_(queues_.private_nh.advertiseService("pause", &SimulationNode::pause, this)),
       step_(queues_.step_nh.advertiseService("step", &SimulationNode::stepPaused, this)),
       reset_(queues_.private_nh.advertiseService("reset", &SimulationNode::reset, this)) {
   for (const std::string& line : describeSolution(simulation_)) ROS_INFO("%s", line.c_str());
+  for (const std::string& line : interfaceLines(movingNames(simulation_.world())))
+    ROS_INFO("%s", line.c_str());
 }
 
 void SimulationNode::run() {
   restartClocks();
+  outputs_.setStanding(paused_);
   if (!paused_) outputs_.publishDue();
   while (ros::ok()) {
     serveUntilDue();
-    if (!paused_ && ros::ok()) step();
+    if (!paused_ && ros::ok()) goOn();
   }
 }
 
-/// Serves callbacks until the next step is due; while paused, for a moment.
+/// Serves callbacks until an instant of the outputs or the next step is due; while paused, for a
+/// moment.
 void SimulationNode::serveUntilDue() {
   serve(0);
   queues_.step_queue.callAvailable();
-  if (paused_) return serve(Timekeeper::kLongestWait);
+  if (paused_) {
+    repeatClock();
+    return serve(Timekeeper::kLongestWait);
+  }
   while (!paused_ && ros::ok()) {
     // anew each time: a callback may have set time back
-    const double wait = time_.untilDue(nextTime());
+    const double wait = time_.untilDue(outputs_.instantWithinStep().value_or(nextTime()));
     if (wait <= 0) return;
     serve(wait);
     queues_.step_queue.callAvailable();
   }
 }
 
+/// While time stands, at a pace of its own: whoever comes finds a clock.
+void SimulationNode::repeatClock() {
+  const SteadyClock::time_point now = SteadyClock::now();
+  if (now < next_clock_) return;
+  next_clock_ = now + kClockPeriod;
+  outputs_.repeatClock();
+}
+
 /// The time [s] that the next step reaches.
 double SimulationNode::nextTime() const {
-  return static_cast<double>(simulation_.steps() + 1) * simulation_.world().solver.time_step;
+  const Simulation& shown = rest_of_step_ ? *rest_of_step_ : simulation_;
+  return static_cast<double>(shown.steps() + 1) * shown.world().solver.time_step;
 }
 
 /// Waits for a callback for that long at most, serves all there are but ~step, starts over with a
@@ -113,8 +144,8 @@ void SimulationNode::serve(double seconds) {
 }
 
 void SimulationNode::report() {
-  // not while paused: a viewer that has come since hears of no frame
-  if (!paused_) outputs_.repeatBodies();
+  outputs_.repeatBodies();
+  if (paused_) outputs_.repeatState();
   Health health;
   health.status.overruns = static_cast<std::uint64_t>(time_.overruns());
   health.status.refused = static_cast<std::uint64_t>(refusals_.count());
@@ -125,32 +156,72 @@ void SimulationNode::report() {
 
 /// Ties the wall to simulation time as it is now.
 void SimulationNode::restartClocks() {
-  time_.restart(simulation_.time());
+  time_.restart(outputs_.shownTime());
   monitor_.restart(SteadyClock::now());
 }
 
-void SimulationNode::step() {
-  time_.begin(nextTime(), simulation_.world().solver.time_step);
+/// Publishes at the instant that is due within the step, or takes the step.
+void SimulationNode::goOn() {
   try {
-    advance();
+    if (const std::optional<double> t = outputs_.instantWithinStep()) {
+      time_.dropBacklog(*t);
+      publishWithinStep([&] { outputs_.publishInstant(*t); });
+    } else {
+      time_.begin(nextTime(), simulation_.world().solver.time_step);
+      advance();
+    }
   } catch (const SimulationDiverged&) {
     ros::WallDuration(kTimeToWrite).sleep();
     throw;
   }
 }
 
-/// One step, and what is to be published after it. Reports a divergence before it throws it on.
+/// What acts during the step has to be known before anything within it is shown.
+void SimulationNode::publishWithinStep(const std::function<void()>& publish) {
+  if (!pulled_) refusals_.check("mouse feedback", mouse_.pull());
+  pulled_ = true;
+  reportingDivergence(publish);
+  within_step_ = true;
+}
+
+/// One step, and what is to be published within and after it.
 void SimulationNode::advance() {
-  refusals_.check("mouse feedback", mouse_.pull());
+  time_.origin().stamp(nextTime());  // throws where ROS time ends
+  if (outputs_.instantWithinStep())
+    publishWithinStep([this] { outputs_.publishWithinStep(nextTime()); });
+  if (!pulled_) refusals_.check("mouse feedback", mouse_.pull());
+  reportingDivergence([this] { (rest_of_step_ ? *rest_of_step_ : simulation_).step(); });
+  divergence_.clear();
+  outputs_.publishDue();
+  endStep();
+}
+
+/// From now on the simulation itself is shown.
+void SimulationNode::endStep() {
+  within_step_ = pulled_ = false;
+  outputs_.watch(simulation_);
+  rest_of_step_.reset();
+}
+
+/// An input comes. After a state within the next step has been shown it acts from the end of that
+/// step on: the step is taken now, and a copy shows the rest of it in its time.
+void SimulationNode::prepareForInput() {
+  if (!within_step_ || rest_of_step_ || !divergence_.empty()) return;
+  Simulation before(simulation_);
+  reportingDivergence([this] { simulation_.step(); });
+  before.stopTracking();
+  outputs_.watch(rest_of_step_.emplace(std::move(before)));
+}
+
+/// Reports a divergence before it is thrown on.
+void SimulationNode::reportingDivergence(const std::function<void()>& action) {
   try {
-    simulation_.step();
+    action();
   } catch (const SimulationDiverged& error) {
     divergence_ = error.what();
     report();
     throw;
   }
-  divergence_.clear();
-  outputs_.publishDue();
 }
 
 /// What else changes with an input that has been applied.
@@ -160,19 +231,23 @@ void SimulationNode::follow(const SimulationInput& input) {
   if (reset || std::holds_alternative<StateInput>(input)) outputs_.breakTrails();
   if (!reset) return;
   divergence_.clear();
-  restartClocks();
-  if (!reset->restart_time) return;
+  if (reset->restart_time || !rest_of_step_) endStep();
+  if (!reset->restart_time) return restartClocks();
   outputs_.restart();
+  restartClocks();
   if (!paused_) outputs_.publishDue();  // a run begins with the state at its start
 }
 
 bool SimulationNode::pause(std_srvs::SetBool::Request& request,
                            std_srvs::SetBool::Response& response) {
   if (paused_ && !request.data) {
-    time_.restart(simulation_.time());
+    time_.restart(outputs_.shownTime());
     outputs_.publishDue();
   }
+  // a paused simulation is at a step, unless the clock that it follows has not come so far
+  if (!paused_ && request.data && within_step_ && !time_.isAhead(nextTime())) advance();
   paused_ = request.data;
+  outputs_.setStanding(paused_);
   response.success = true;
   response.message = paused_ ? "paused" : "running";
   return true;
@@ -196,6 +271,8 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
   } catch (const SimulationDiverged& error) {
     // paused: the last finite state waits for a reset
     ROS_FATAL("%s", error.what());
+    response.message = error.what();
+  } catch (const BeyondRosTime& error) {
     response.message = error.what();
   }
   response.success = response.message.empty();

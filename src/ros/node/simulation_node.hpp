@@ -1,5 +1,8 @@
 #pragma once
 
+#include <chrono>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include <ros/node_handle.h>
@@ -37,8 +40,13 @@ class SimulationNode {
   void serveUntilDue();
   void serve(double seconds);
   double nextTime() const;
-  void step();
+  void repeatClock();
+  void goOn();
+  void publishWithinStep(const std::function<void()>& publish);
   void advance();
+  void endStep();
+  void prepareForInput();
+  void reportingDivergence(const std::function<void()>& action);
   void report();
   void restartClocks();
   void follow(const SimulationInput& input);
@@ -50,6 +58,10 @@ class SimulationNode {
 
   const bool reset_time_;
   Simulation simulation_;
+  std::optional<Simulation> rest_of_step_;  // shown while the simulation is at the step's end
+  bool pulled_ = false;                     // by the mouse, for the next step
+  bool within_step_ = false;                // a state within the next step has been shown
+  std::chrono::steady_clock::time_point next_clock_;  // sent again while paused
   Refusals refusals_;
   bool paused_;
   std::string divergence_;  // after which the simulation waits, paused, for a reset; empty: none

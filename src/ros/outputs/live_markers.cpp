@@ -34,22 +34,19 @@ std::map<std::size_t, Trail> trailsOf(const std::vector<Body>& bodies) {
 }  // namespace
 
 LiveMarkers::LiveMarkers(Topic<MarkerArray> topic, const std::string& world_frame,
-                         const Simulation& simulation)
-    : simulation_(simulation),
-      world_frame_(world_frame),
-      topic_(std::move(topic)),
-      trails_(trailsOf(simulation.world().bodies)) {}
+                         const World& world)
+    : world_frame_(world_frame), topic_(std::move(topic)), trails_(trailsOf(world.bodies)) {}
 
-void LiveMarkers::publish(const ros::Time& stamp) {
-  if (!topic_.subscribers()) {
-    shown_.clear();
-    breakTrails();
-    return;
-  }
-  MarkerArray all = arrows();
+void LiveMarkers::forget() {
+  shown_.clear();
+  breakTrails();
+}
+
+void LiveMarkers::publish(const Snapshot& snapshot, const ros::Time& stamp) {
+  MarkerArray all = arrows(snapshot);
   const std::map<std::string, int> shown = number(all);
   deleteEnded(shown, all);
-  addTrails(all);
+  addTrails(snapshot, all);
   shown_ = shown;
   for (Marker& marker : all.markers) {
     marker.header.frame_id = world_frame_;
@@ -62,12 +59,12 @@ void LiveMarkers::breakTrails() {
   for (auto& [body, trail] : trails_) trail.breakOff();
 }
 
-MarkerArray LiveMarkers::arrows() const {
-  const std::vector<Body>& bodies = simulation_.world().bodies;
-  const std::vector<BodyState>& states = simulation_.state().bodies;
+MarkerArray LiveMarkers::arrows(const Snapshot& snapshot) const {
+  const std::vector<Body>& bodies = snapshot.world().bodies;
+  const std::vector<BodyState>& states = snapshot.bodies();
   MarkerArray all;
   for (const auto& [body, trail] : trails_) {
-    for (const PointWrench& applied : simulation_.activeWrenches(body))
+    for (const PointWrench& applied : snapshot.activeWrenches(body))
       append(wrenchArrows(applied, bodies, states), all);
     append(momentumArrows(bodies[body], states[body]), all);
   }
@@ -88,9 +85,9 @@ void LiveMarkers::deleteEnded(const std::map<std::string, int>& shown, MarkerArr
   }
 }
 
-void LiveMarkers::addTrails(MarkerArray& all) {
+void LiveMarkers::addTrails(const Snapshot& snapshot, MarkerArray& all) {
   for (auto& [body, trail] : trails_) {
-    const std::optional<Marker> strip = trail.add(simulation_.body(body).x_W);
+    const std::optional<Marker> strip = trail.add(snapshot.bodies()[body].x_W);
     if (strip) all.markers.push_back(*strip);
   }
 }

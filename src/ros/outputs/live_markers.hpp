@@ -5,8 +5,9 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/world.hpp>
 
+#include "ros/outputs/snapshot.hpp"
 #include "ros/outputs/topic.hpp"
 #include "ros/outputs/trail.hpp"
 
@@ -18,20 +19,23 @@ namespace rigid_body_sim {
 class LiveMarkers {
  public:
   LiveMarkers(Topic<visualization_msgs::MarkerArray> topic, const std::string& world_frame,
-              const Simulation& simulation);
+              const World& world);
 
-  /// Publishes the state as it is now; nothing without subscribers.
-  void publish(const ros::Time& stamp);
+  bool hasSubscribers() const { return topic_.subscribers() > 0; }
+
+  void publish(const Snapshot& snapshot, const ros::Time& stamp);
+
+  /// Nobody looks any more: who comes next has no arrows to delete, and sees new trails.
+  void forget();
 
   /// The bodies have been moved: no line joins where they were to where they are.
   void breakTrails();
 
  private:
-  visualization_msgs::MarkerArray arrows() const;
+  visualization_msgs::MarkerArray arrows(const Snapshot& snapshot) const;
   void deleteEnded(const std::map<std::string, int>& shown, visualization_msgs::MarkerArray& all);
-  void addTrails(visualization_msgs::MarkerArray& all);
+  void addTrails(const Snapshot& snapshot, visualization_msgs::MarkerArray& all);
 
-  const Simulation& simulation_;
   std::string world_frame_;
   Topic<visualization_msgs::MarkerArray> topic_;
   std::map<std::string, int> shown_;     // arrows by namespace; ids count from 0

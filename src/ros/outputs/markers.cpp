@@ -51,11 +51,12 @@ Markers markersOf(const Visual& visual) {
 
 }  // namespace
 
-std::vector<Marker> toMarkers(const BodyDef& body) {
+std::vector<Marker> toMarkers(const BodyDef& body, const std::string& frame) {
   std::vector<Marker> all;
   for (const Visual& visual : visualsOf(body)) {
     for (Marker& marker : markersOf(visual)) {
-      marker.header.frame_id = marker.ns = body.name;
+      marker.header.frame_id = frame;
+      marker.ns = body.name;
       marker.id = static_cast<int>(all.size());
       marker.frame_locked = true;
       all.push_back(marker);
@@ -64,10 +65,10 @@ std::vector<Marker> toMarkers(const BodyDef& body) {
   return all;
 }
 
-visualization_msgs::MarkerArray toMarkers(const Scene& scene) {
+visualization_msgs::MarkerArray toMarkers(const Scene& scene, const TfFrames& frames) {
   visualization_msgs::MarkerArray all;
-  for (const BodyDef& body : scene.bodies) {
-    const std::vector<Marker> markers = toMarkers(body);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const std::vector<Marker> markers = toMarkers(scene.bodies[i], frames.of(i));
     all.markers.insert(all.markers.end(), markers.begin(), markers.end());
   }
   return all;

@@ -23,21 +23,27 @@ struct BodyTopics {
   Topic<geometry_msgs::WrenchStamped> applied_wrench;
 };
 
-/// What a run tells, topic by topic.
+/// What a run publishes, topic by topic.
 struct OutputTopics {
   Topic<tf2_msgs::TFMessage> tf;
   Topic<tf2_msgs::TFMessage> tf_static;
   Topic<visualization_msgs::MarkerArray> markers;
   Topic<visualization_msgs::MarkerArray> live_markers;
-  Topic<rosgraph_msgs::Clock> clock;  ///< empty functions unless asked for
+  Topic<rosgraph_msgs::Clock> clock;  ///< empty functions unless chosen
   Topic<BodyStates> states;
   std::vector<BodyTopics> bodies;
+};
+
+/// Which topics there are.
+struct TopicChoice {
+  bool clock = false;         ///< /clock
+  bool single_bodies = true;  ///< those of BodyTopics
 };
 
 /// The topics by the names that roscpp resolves. A Transport has
 ///   template <class Message> Topic<Message> open(const std::string& name, bool latched);
 template <class Transport>
-OutputTopics openTopics(Transport& transport, const World& world, bool with_clock) {
+OutputTopics openTopics(Transport& transport, const World& world, const TopicChoice& choice) {
   constexpr bool kLatched = true;
   OutputTopics topics;
   topics.tf = transport.template open<tf2_msgs::TFMessage>("/tf", !kLatched);
@@ -48,9 +54,10 @@ OutputTopics openTopics(Transport& transport, const World& world, bool with_cloc
   topics.live_markers =
       transport.template open<visualization_msgs::MarkerArray>("~markers", !kLatched);
   topics.states = transport.template open<BodyStates>("~states", !kLatched);
-  if (with_clock) topics.clock = transport.template open<rosgraph_msgs::Clock>("/clock", !kLatched);
+  if (choice.clock)
+    topics.clock = transport.template open<rosgraph_msgs::Clock>("/clock", !kLatched);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (world.bodies[i].fixed) continue;
+    if (world.bodies[i].fixed || !choice.single_bodies) continue;
     const std::string& name = world.bodies[i].name;
     topics.bodies.push_back({i,
                              transport.template open<nav_msgs::Odometry>(name + "/odom", !kLatched),

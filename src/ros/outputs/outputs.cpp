@@ -1,6 +1,7 @@
 #include "ros/outputs/outputs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <rigid_body_sim/math/isometry.hpp>
@@ -14,54 +15,147 @@ namespace {
 /// Arrows and trails are for the eye [1/s of simulation time].
 constexpr double kMarkerRate = 30;
 
+std::vector<std::size_t> movingBodies(const World& world) {
+  std::vector<std::size_t> moving;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    if (!world.bodies[i].fixed) moving.push_back(i);
+  return moving;
+}
+
+boost::array<double, 36> diagonalMatrix(const std::array<double, 6>& diagonal) {
+  boost::array<double, 36> matrix{};
+  for (std::size_t i = 0; i < 6; ++i) matrix[7 * i] = diagonal[i];
+  return matrix;
+}
+
+/// [s] An instant that misses t by less is there: rounding of a quotient and of a product.
+double rounding(double t, double time_step) { return std::max(1e-9 * time_step, 1e-15 * t); }
+
 }  // namespace
 
 Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& scene,
                  const Simulation& simulation, const TimeOrigin& origin)
     : topics_(std::move(topics)),
-      simulation_(simulation),
+      simulation_(&simulation),
       origin_(origin),
       world_frame_(scene.world_frame),
+      frames_(scene, options.tf_prefix),
+      moving_(movingBodies(simulation.world())),
+      covariance_(diagonalMatrix(options.odometry_covariance)),
       publish_clock_(options.publish_clock),
-      state_ticker_(options.publish_rate, scene.time_step),
-      clock_ticker_(options.clock_rate, scene.time_step),
-      marker_ticker_(std::min(options.publish_rate, kMarkerRate), scene.time_step),
-      live_markers_(topics_.live_markers, scene.world_frame, simulation),
-      bodies_(toMarkers(scene)) {
+      state_instants_(options.publish_rate, simulation.time()),
+      clock_instants_(options.clock_rate, simulation.time()),
+      marker_instants_(std::min(options.publish_rate, kMarkerRate), simulation.time()),
+      states_(emptyBodyStates(simulation.world(), scene.world_frame)),
+      live_markers_(topics_.live_markers, scene.world_frame, simulation.world()),
+      bodies_(toMarkers(scene, frames_)) {
   publishOnce(scene);
+  greet();
 }
 
 void Outputs::publishOnce(const Scene& scene) {
-  const ros::Time stamp = origin_.stamp(0);
-  const std::vector<Body>& bodies = simulation_.world().bodies;
+  const ros::Time stamp = origin_.stamp(simulation_->time());
+  const std::vector<Body>& bodies = simulation_->world().bodies;
   tf2_msgs::TFMessage frames;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Body& body = bodies[i];
-    if (body.fixed)
-      frames.transforms.push_back(toTransform(body, simulation_.body(i), world_frame_, stamp));
+    if (bodies[i].fixed)
+      frames.transforms.push_back(
+          toTransform(bodies[i], simulation_->body(i), world_frame_, frames_.of(i), stamp));
     for (const PointDef& point : scene.bodies[i].points)
       frames.transforms.push_back(toTransform(isometry(point.orientation, point.position),
-                                              body.name, body.name + "/" + point.name, stamp));
+                                              frames_.of(i), frames_.of(i, point), stamp));
   }
   if (!frames.transforms.empty()) topics_.tf_static.publish(frames, stamp);
   topics_.markers.publish(bodies_, stamp);
 }
 
+/// What is sent to a subscriber that comes while time stands: to it alone, so that every subscriber
+/// receives strictly increasing stamps on /tf.
+void Outputs::greet() {
+  const auto greeting = [this](auto toMessage) {
+    return [this, toMessage]() {
+      using Message = decltype(toMessage(shown(), ros::Time()));
+      if (!standing_) return std::optional<Message>();
+      const Snapshot snapshot = shown();
+      return std::optional<Message>(toMessage(snapshot, origin_.stamp(snapshot.time())));
+    };
+  };
+  topics_.tf.greetWith(greeting([this](const Snapshot& snapshot, const ros::Time& stamp) {
+    greeted_ = stamp;
+    return toTransforms(snapshot, stamp);
+  }));
+  topics_.states.greetWith(greeting([this](const Snapshot& snapshot, const ros::Time& stamp) {
+    setStates(snapshot, stamp);
+    return states_;
+  }));
+  for (const BodyTopics& topics : topics_.bodies) {
+    const std::size_t body = topics.body;
+    topics.odometry.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
+      return toOdometry(body, snapshot, stamp);
+    }));
+    topics.applied_wrench.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
+      return toWrench(body, snapshot, stamp);
+    }));
+  }
+}
+
+double Outputs::shownTime() const { return std::max(last_t_, simulation_->time()); }
+
+std::optional<double> Outputs::instantWithinStep() const {
+  const double h = simulation_->world().solver.time_step;
+  const double t_end = static_cast<double>(simulation_->steps() + 1) * h;
+  double t = state_instants_.next();
+  if (publish_clock_) t = std::min(t, clock_instants_.next());
+  if (t < t_end - rounding(t_end, h)) return t;
+  return std::nullopt;
+}
+
+void Outputs::publishInstant(double t) { publishAt(t, t); }
+
+void Outputs::publishWithinStep(double t_end) {
+  const double reach = t_end + rounding(t_end, simulation_->world().solver.time_step);
+  for (auto t = instantWithinStep(); t && *t <= reach; t = instantWithinStep()) publishInstant(*t);
+}
+
 void Outputs::publishDue() {
-  const double t = simulation_.time();
-  if (publish_clock_ && clock_ticker_.due(t)) publishClock();
-  if (state_ticker_.due(t)) publishState();
-  if (marker_ticker_.due(t)) publishMarkers();
+  const double t = simulation_->time();
+  publishAt(t, t + rounding(t, simulation_->world().solver.time_step));
+}
+
+/// Publishes at time t [s] what is due at instants up to `reach`.
+void Outputs::publishAt(double t, double reach) {
+  if (publish_clock_ && clock_instants_.next() <= reach) {
+    clock_instants_.passTo(reach);
+    publishClock(t);
+  }
+  if (state_instants_.next() <= reach) {
+    state_instants_.passTo(reach);
+    const bool with_markers = marker_instants_.next() <= reach;
+    marker_instants_.passTo(reach);
+    publishState(t, with_markers);
+  }
 }
 
 void Outputs::publishNow() {
-  if (publish_clock_) publishClock();
-  publishState();
-  publishMarkers();
+  if (publish_clock_) publishClock(simulation_->time());
+  publishState(simulation_->time(), true);
+}
+
+void Outputs::repeatClock() {
+  if (!publish_clock_) return;
+  rosgraph_msgs::Clock message;
+  message.clock = origin_.stamp(shownTime());
+  topics_.clock.publish(message, message.clock);
+}
+
+void Outputs::repeatState() {
+  if (!anySubscribers()) return;
+  const Snapshot snapshot = shown();
+  publishBodyTopics(snapshot, origin_.stamp(snapshot.time()));
 }
 
 void Outputs::repeatBodies() {
-  if (viewers_are_new_) topics_.markers.publish(bodies_, origin_.stamp(simulation_.time()));
+  if (viewers_are_new_) topics_.markers.publish(bodies_, origin_.stamp(simulation_->time()));
   const std::size_t viewers = topics_.markers.subscribers();
   viewers_are_new_ = viewers > viewers_;
   viewers_ = viewers;
@@ -70,52 +164,87 @@ void Outputs::repeatBodies() {
 void Outputs::restart() {
   last_state_stamp_.reset();
   last_clock_stamp_.reset();
-  last_marker_stamp_.reset();
+  greeted_.reset();
+  last_t_ = 0;
+  for (Instants* instants : {&state_instants_, &clock_instants_, &marker_instants_})
+    instants->restart(0);
 }
 
-void Outputs::publishMarkers() {
-  const ros::Time stamp = origin_.stamp(simulation_.time());
-  if (stamp <= last_marker_stamp_) return;
-  last_marker_stamp_ = stamp;
-  live_markers_.publish(stamp);
-}
-
-void Outputs::publishClock() {
+void Outputs::publishClock(double t) {
   rosgraph_msgs::Clock message;
-  message.clock = origin_.stamp(simulation_.time());
+  message.clock = origin_.stamp(t);
   if (message.clock <= last_clock_stamp_) return;
   last_clock_stamp_ = message.clock;
+  last_t_ = t;
   topics_.clock.publish(message, message.clock);
 }
 
-void Outputs::publishState() {
-  const ros::Time stamp = origin_.stamp(simulation_.time());
+void Outputs::publishState(double t, bool with_markers) {
+  const ros::Time stamp = origin_.stamp(t);
   if (stamp <= last_state_stamp_) return;
   last_state_stamp_ = stamp;
-  if (topics_.tf.subscribers()) publishTransforms(stamp);
-  if (topics_.states.subscribers())
-    topics_.states.publish(
-        toBodyStates(simulation_.world(), simulation_.state(), world_frame_, stamp), stamp);
-  for (const BodyTopics& topics : topics_.bodies) publishBody(topics, stamp);
+  last_t_ = t;
+  const bool seen = live_markers_.hasSubscribers();
+  if (!seen) live_markers_.forget();
+  if (!anySubscribers() && !topics_.tf.subscribers() && !(seen && with_markers)) return;
+  const Snapshot snapshot(*simulation_, t);
+  if (topics_.tf.subscribers() && stamp != greeted_)
+    topics_.tf.publish(toTransforms(snapshot, stamp), stamp);
+  publishBodyTopics(snapshot, stamp);
+  if (seen && with_markers) live_markers_.publish(snapshot, stamp);
 }
 
-void Outputs::publishTransforms(const ros::Time& stamp) {
-  tf2_msgs::TFMessage frames;
-  frames.transforms.reserve(topics_.bodies.size());
-  for (const BodyTopics& topics : topics_.bodies)
-    frames.transforms.push_back(toTransform(simulation_.world().bodies[topics.body],
-                                            simulation_.body(topics.body), world_frame_, stamp));
-  topics_.tf.publish(frames, stamp);
+/// Of ~states and the topics of single bodies.
+bool Outputs::anySubscribers() const {
+  return topics_.states.subscribers() > 0 ||
+         std::any_of(topics_.bodies.begin(), topics_.bodies.end(), [](const BodyTopics& topics) {
+           return topics.odometry.subscribers() > 0 || topics.applied_wrench.subscribers() > 0;
+         });
 }
 
-void Outputs::publishBody(const BodyTopics& topics, const ros::Time& stamp) {
-  const Body& body = simulation_.world().bodies[topics.body];
-  const BodyState& state = simulation_.body(topics.body);
-  if (topics.odometry.subscribers())
-    topics.odometry.publish(toOdometry(body, state, world_frame_, stamp), stamp);
-  if (topics.applied_wrench.subscribers())
-    topics.applied_wrench.publish(
-        toWrenchStamped(body, state, simulation_.appliedWrench(topics.body), stamp), stamp);
+void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp) {
+  if (topics_.states.subscribers()) {
+    setStates(snapshot, stamp);
+    topics_.states.publish(states_, stamp);
+  }
+  for (const BodyTopics& topics : topics_.bodies) {
+    if (topics.odometry.subscribers())
+      topics.odometry.publish(toOdometry(topics.body, snapshot, stamp), stamp);
+    if (topics.applied_wrench.subscribers())
+      topics.applied_wrench.publish(toWrench(topics.body, snapshot, stamp), stamp);
+  }
+}
+
+void Outputs::setStates(const Snapshot& snapshot, const ros::Time& stamp) {
+  setBodyStates(snapshot.world(), snapshot.bodies(), stamp, states_);
+}
+
+tf2_msgs::TFMessage Outputs::toTransforms(const Snapshot& snapshot, const ros::Time& stamp) const {
+  const std::vector<Body>& bodies = snapshot.world().bodies;
+  const std::vector<BodyState>& states = snapshot.bodies();
+  tf2_msgs::TFMessage message;
+  message.transforms.reserve(moving_.size());
+  for (const std::size_t i : moving_)
+    message.transforms.push_back(
+        toTransform(bodies[i], states[i], world_frame_, frames_.of(i), stamp));
+  return message;
+}
+
+nav_msgs::Odometry Outputs::toOdometry(std::size_t body, const Snapshot& snapshot,
+                                       const ros::Time& stamp) const {
+  nav_msgs::Odometry odometry = rigid_body_sim::toOdometry(
+      snapshot.world().bodies[body], snapshot.bodies()[body], world_frame_, stamp);
+  odometry.child_frame_id = frames_.of(body);
+  odometry.pose.covariance = odometry.twist.covariance = covariance_;
+  return odometry;
+}
+
+geometry_msgs::WrenchStamped Outputs::toWrench(std::size_t body, const Snapshot& snapshot,
+                                               const ros::Time& stamp) const {
+  geometry_msgs::WrenchStamped message = toWrenchStamped(
+      snapshot.world().bodies[body], snapshot.bodies()[body], snapshot.appliedWrench(body), stamp);
+  message.header.frame_id = frames_.of(body);
+  return message;
 }
 
 }  // namespace rigid_body_sim

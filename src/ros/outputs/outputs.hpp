@@ -1,34 +1,60 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <boost/array.hpp>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/scene.hpp>
 
 #include "ros/messages/conversions.hpp"
+#include "ros/messages/tf_frames.hpp"
 #include "ros/node/node_options.hpp"
+#include "ros/outputs/instants.hpp"
 #include "ros/outputs/live_markers.hpp"
 #include "ros/outputs/output_topics.hpp"
-#include "ros/outputs/ticker.hpp"
+#include "ros/outputs/snapshot.hpp"
 
 namespace rigid_body_sim {
 
-/// What a run tells, on ROS or into a bag: moving bodies on /tf, <body>/odom and
-/// <body>/applied_wrench, and all bodies on ~states, at the publish rate; /clock at its own; once,
-/// latched: fixed bodies and named points on /tf_static, and ~markers. Without subscribers nothing
-/// is computed. Stamps strictly increase.
+/// What a run publishes, on ROS or into a bag: moving bodies on /tf, <body>/odom and
+/// <body>/applied_wrench, and all bodies on ~states, at the instants k / publish_rate of simulation
+/// time, /clock at k / clock_rate, whether a step ends there or not; once, latched: fixed bodies
+/// and named points on /tf_static, and ~markers. Without subscribers nothing is computed. Stamps
+/// strictly increase while time runs. While it stands, whoever comes is sent the standing state.
 class Outputs {
  public:
   /// The simulation, that of the scene, and the origin are watched, not copied.
   Outputs(OutputTopics topics, const NodeOptions& options, const Scene& scene,
           const Simulation& simulation, const TimeOrigin& origin);
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
 
-  /// Publishes what is due at a step.
+  /// [s] The next instant at which something is to be published, if it lies before the next step.
+  /// What is due at a step is published after it, by publishDue.
+  std::optional<double> instantWithinStep() const;
+
+  /// Publishes what is due at that instant, or at all instants before the next step up to t_end
+  /// [s].
+  void publishInstant(double t);
+  void publishWithinStep(double t_end);
+
+  /// Publishes what is due at the present step.
   void publishDue();
 
-  /// Publishes the state whether due or not, unless it has been already.
+  /// Publishes the state of the present step whether due or not, unless it has been already.
   void publishNow();
+
+  /// Whether time stands. Then whoever subscribes is sent the standing state at once.
+  void setStanding(bool standing) { standing_ = standing; }
+
+  /// While time stands: /clock again, and the standing state, but not /tf, where a repeated stamp
+  /// raises a warning in every listener.
+  void repeatClock();
+  void repeatState();
 
   /// Sends the bodies again if viewers had come at the call before. To be called every second or
   /// so: rviz drops for good what reaches it before the frames do.
@@ -37,29 +63,49 @@ class Outputs {
   /// Time has been set back to the start.
   void restart();
 
+  /// Another simulation of the same scene is watched from now on.
+  void watch(const Simulation& simulation) { simulation_ = &simulation; }
+
   /// Bodies have been moved other than by time.
   void breakTrails() { live_markers_.breakTrails(); }
 
+  /// [s] The last time that has been published, or that of the present step if that is later.
+  double shownTime() const;
+
  private:
   void publishOnce(const Scene& scene);
-  void publishState();
-  void publishClock();
-  void publishMarkers();
-  void publishTransforms(const ros::Time& stamp);
-  void publishBody(const BodyTopics& topics, const ros::Time& stamp);
+  void greet();
+  void publishAt(double t, double reach);
+  void publishState(double t, bool with_markers);
+  void publishClock(double t);
+  void publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp);
+  void setStates(const Snapshot& snapshot, const ros::Time& stamp);
+  bool anySubscribers() const;
+  Snapshot shown() const { return Snapshot(*simulation_, shownTime()); }
+  tf2_msgs::TFMessage toTransforms(const Snapshot& snapshot, const ros::Time& stamp) const;
+  nav_msgs::Odometry toOdometry(std::size_t body, const Snapshot& snapshot,
+                                const ros::Time& stamp) const;
+  geometry_msgs::WrenchStamped toWrench(std::size_t body, const Snapshot& snapshot,
+                                        const ros::Time& stamp) const;
 
   OutputTopics topics_;
-  const Simulation& simulation_;
+  const Simulation* simulation_;
   const TimeOrigin& origin_;
   std::string world_frame_;
+  TfFrames frames_;
+  std::vector<std::size_t> moving_;  // bodies
+  boost::array<double, 36> covariance_{};
   bool publish_clock_;
-  Ticker state_ticker_;
-  Ticker clock_ticker_;
-  Ticker marker_ticker_;
+  bool standing_ = false;
+  Instants state_instants_;
+  Instants clock_instants_;
+  Instants marker_instants_;
   using LastStamp = std::optional<ros::Time>;  // none yet; zero is a stamp like others
   LastStamp last_state_stamp_;
   LastStamp last_clock_stamp_;
-  LastStamp last_marker_stamp_;
+  LastStamp greeted_;  // on /tf, while time stood
+  double last_t_ = 0;
+  BodyStates states_;  // kept, as its names do not change
   LiveMarkers live_markers_;
   visualization_msgs::MarkerArray bodies_;
   std::size_t viewers_ = 0;  // at the last call of repeatBodies

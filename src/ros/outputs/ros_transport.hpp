@@ -23,13 +23,12 @@ class RosTransport {
   Topic<Message> open(const std::string& name, bool latched) {
     const auto topic = std::make_shared<Advertised<Message>>();
     topic->advertise(nh_, ros::names::resolve(name), queue_size_, latched);
-    return {[topic] { return topic->subscribers(); },
-            [topic](const Message& message, const ros::Time&) {
-              topic->publisher.publish(message);
-            },
-            [topic](typename Topic<Message>::Greeting greeting) {
-              topic->greeting = std::move(greeting);
-            }};
+    return {
+        [topic] { return topic->subscribers(); },
+        [topic](const Message& message, const ros::Time&) { topic->publisher.publish(message); },
+        [topic](typename Topic<Message>::Greeting greeting) {
+          topic->greeting = std::move(greeting);
+        }};
   }
 
  private:

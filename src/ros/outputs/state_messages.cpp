@@ -2,17 +2,28 @@
 
 namespace rigid_body_sim {
 
+BodyStates emptyBodyStates(const World& world, const std::string& world_frame) {
+  BodyStates message;
+  message.header.frame_id = world_frame;
+  for (const Body& body : world.bodies) message.name.push_back(body.name);
+  message.pose.resize(world.bodies.size());
+  message.twist.resize(world.bodies.size());
+  return message;
+}
+
+void setBodyStates(const World& world, const std::vector<BodyState>& states, const ros::Time& stamp,
+                   BodyStates& message) {
+  message.header.stamp = stamp;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    message.pose[i] = toPose(toBodyFrameMotion(world.bodies[i], states[i]));
+    message.twist[i] = toTwistInBodyAxes(world.bodies[i], states[i]);
+  }
+}
+
 BodyStates toBodyStates(const World& world, const State& state, const std::string& world_frame,
                         const ros::Time& stamp) {
-  BodyStates message;
-  message.header.stamp = stamp;
-  message.header.frame_id = world_frame;
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const Body& body = world.bodies[i];
-    message.name.push_back(body.name);
-    message.pose.push_back(toPose(toBodyFrameMotion(body, state.bodies[i])));
-    message.twist.push_back(toTwistInBodyAxes(body, state.bodies[i]));
-  }
+  BodyStates message = emptyBodyStates(world, world_frame);
+  setBodyStates(world, state.bodies, stamp, message);
   return message;
 }
 

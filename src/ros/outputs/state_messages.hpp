@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <geometry_msgs/WrenchStamped.h>
 
@@ -10,6 +11,13 @@
 #include "ros/messages/conversions.hpp"
 
 namespace rigid_body_sim {
+
+/// A message with the names of all bodies, whose states setBodyStates sets.
+BodyStates emptyBodyStates(const World& world, const std::string& world_frame);
+
+/// Sets pose and twist of every body, and the stamp.
+void setBodyStates(const World& world, const std::vector<BodyState>& states, const ros::Time& stamp,
+                   BodyStates& message);
 
 /// Pose and twist of every body, fixed ones at rest among them, as in odometry.
 BodyStates toBodyStates(const World& world, const State& state, const std::string& world_frame,

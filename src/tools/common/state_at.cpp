@@ -13,11 +13,13 @@ State stateAt(Simulation& simulation, double t, const StepHooks& hooks) {
   const auto whole_steps = static_cast<std::int64_t>(std::floor(t / h + missed));
   while (simulation.steps() < whole_steps) {
     if (hooks.before) hooks.before();
+    if (hooks.within) hooks.within(static_cast<double>(simulation.steps() + 1) * h);
     simulation.step();
     if (hooks.after) hooks.after();
   }
   if (t - simulation.time() < missed * h) return simulation.state();
   if (hooks.before) hooks.before();
+  if (hooks.within) hooks.within(t);
   return simulation.sample(t);
 }
 

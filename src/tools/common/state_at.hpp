@@ -9,6 +9,8 @@ namespace rigid_body_sim {
 /// What is to be done at every step of a run.
 struct StepHooks {
   std::function<void()> before;  ///< also before a state within a step; may come twice for one step
+  std::function<void(double t)> within;  ///< between `before` and a state at t [s] within the step,
+                                         ///< or the step itself, with the time that it reaches
   std::function<void()> after;
 };
 

@@ -29,14 +29,18 @@ BagOutput::BagOutput(const std::string& path, double rate, const Scene& scene,
     requireWritable(path);
     bag_->open(path, rosbag::bagmode::Write);
     BagTransport transport(*bag_);
-    outputs_ =
-        std::make_unique<Outputs>(openTopics(transport, simulation.world(), options.publish_clock),
-                                  options, scene, simulation, origin_);
+    outputs_ = std::make_unique<Outputs>(
+        openTopics(transport, simulation.world(), {options.publish_clock}), options, scene,
+        simulation, origin_);
   });
 }
 
 void BagOutput::writeDue() {
   guarded([&] { outputs_->publishDue(); });
+}
+
+void BagOutput::writeWithinStep(double t_end) {
+  guarded([&] { outputs_->publishWithinStep(t_end); });
 }
 
 void BagOutput::finish() {

@@ -10,8 +10,8 @@
 
 namespace rigid_body_sim {
 
-/// A run written to a bag as a node /rigid_body_node with publish_clock tells it: the same topics,
-/// stamps and values.
+/// A run written to a bag as a node /rigid_body_node with publish_clock publishes it: the same
+/// topics, stamps and values.
 class BagOutput {
  public:
   /// States at `rate` [1/s]. The simulation, that of the scene, is watched, not copied. Throws
@@ -20,6 +20,9 @@ class BagOutput {
 
   /// Writes what is due at the step that the simulation has come to.
   void writeDue();
+
+  /// Writes what is due before the next step, up to time t_end [s].
+  void writeWithinStep(double t_end);
 
   /// Bodies have been moved other than by time.
   void breakTrails() { outputs_->breakTrails(); }

@@ -62,6 +62,7 @@ StepHooks hooksOf(const Bags& bags, Simulation& simulation, Preface& preface) {
       if (bags.replay->isDone()) preface.say();
       if (moved && bags.output) bags.output->breakTrails();
     };
+  if (bags.output) hooks.within = [&](double t) { bags.output->writeWithinStep(t); };
   if (bags.output) hooks.after = [&] { bags.output->writeDue(); };
   return hooks;
 }

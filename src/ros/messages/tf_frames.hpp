@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <rigid_body_sim/scene/scene.hpp>
+
+namespace rigid_body_sim {
+
+/// Names of the frames of bodies and points on tf: PREFIX/<body>, PREFIX/<body>/<point>. The
+/// world's frame has no prefix: it is what nodes with different prefixes have in common.
+class TfFrames {
+ public:
+  /// prefix: empty for none.
+  explicit TfFrames(const Scene& scene, const std::string& prefix = "") {
+    for (const BodyDef& body : scene.bodies)
+      bodies_.push_back(prefix.empty() ? body.name : prefix + "/" + body.name);
+  }
+
+  const std::vector<std::string>& bodies() const { return bodies_; }
+  const std::string& of(std::size_t body) const { return bodies_[body]; }
+  std::string of(std::size_t body, const PointDef& point) const {
+    return bodies_[body] + "/" + point.name;
+  }
+
+ private:
+  std::vector<std::string> bodies_;
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cmath>
+
+namespace rigid_body_sim {
+
+/// The instants k / rate of simulation time, k = 0, 1, 2, …, each computed anew as a quotient, so
+/// that rounding does not add up.
+class Instants {
+ public:
+  /// rate [1/s] > 0. Begins with the first instant that is not before t [s].
+  explicit Instants(double rate, double t = 0) : rate_(rate) { restart(t); }
+
+  void restart(double t) {
+    k_ = std::ceil(t * rate_);
+    if (k_ > 0 && (k_ - 1) / rate_ >= t) k_ -= 1;
+  }
+
+  double next() const { return k_ / rate_; }
+
+  /// Goes on to the first instant after t [s].
+  void passTo(double t) {
+    if (next() > t) return;
+    k_ = std::floor(t * rate_);
+    while (next() <= t) k_ += 1;
+  }
+
+ private:
+  double rate_;
+  double k_ = 0;  // whole, exact up to 2^53
+};
+
+}  // namespace rigid_body_sim

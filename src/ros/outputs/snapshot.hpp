@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+namespace rigid_body_sim {
+
+/// The bodies and the wrenches that act on them at one instant: at the present step of a simulation
+/// or within the next one. Lives no longer than the simulation stays at that step.
+class Snapshot {
+ public:
+  /// t [s]: from the present to the end of the next step. Throws SimulationDiverged.
+  Snapshot(const Simulation& simulation, double t)
+      : simulation_(simulation),
+        within_step_(t > simulation.time()),
+        state_(within_step_ ? simulation.sample(t) : simulation.state()) {}
+
+  double time() const { return state_.t; }
+
+  const World& world() const { return simulation_.world(); }
+
+  const std::vector<BodyState>& bodies() const { return state_.bodies; }
+
+  std::vector<PointWrench> activeWrenches(std::size_t body) const {
+    return within_step_ ? simulation_.activeWrenches(body, state_.t)
+                        : simulation_.activeWrenches(body);
+  }
+
+  /// Sum of the wrenches applied to a body, without gravity.
+  Wrench appliedWrench(std::size_t body) const {
+    Wrench sum;
+    for (const PointWrench& applied : activeWrenches(body)) addPointWrench(applied, bodies(), sum);
+    return sum;
+  }
+
+ private:
+  const Simulation& simulation_;
+  bool within_step_;
+  State state_;
+};
+
+}  // namespace rigid_body_sim
