@@ -41,13 +41,15 @@ bodies:
   Simulation simulation{world, initialState(scene, world)};
   TimeOrigin origin;
   Refusals refusals;
-  Inputs inputs{{[] { return false; }, {}}, "world", simulation, origin, 0};
+  Inputs inputs{{[] { return false; }, {}, {}}, "world", simulation, origin, 0};
 };
 
 }  // namespace
 
 TEST_F(BodySet, BodyThatIsRemovedTakesNoWrenchUntilItIsAddedAgain) {
-  WrenchInterfaces wrenches(nh, private_nh, scene, simulation, inputs, origin, 0, refusals);
+  NodeOptions options;
+  options.wrench_timeout = 0;
+  WrenchInterfaces wrenches(nh, private_nh, scene, simulation, inputs, origin, options, refusals);
   ros::Publisher a = nh.advertise<geometry_msgs::WrenchStamped>("a/wrench", 10);
   ros::Publisher b = nh.advertise<geometry_msgs::WrenchStamped>("b/wrench", 10);
   ros::Publisher post = nh.advertise<geometry_msgs::WrenchStamped>("post/wrench", 10);
