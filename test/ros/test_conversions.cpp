@@ -69,7 +69,7 @@ TEST(Transform, IsThePoseOfTheOdometry) {
   const BodyState state = toBodyState(body, someMotion());
   const nav_msgs::Odometry odometry = toOdometry(body, state, "map", ros::Time(1, 2));
   const geometry_msgs::TransformStamped transform =
-      toTransform(body, state, "map", ros::Time(1, 2));
+      toTransform(body, state, "map", "lopsided", ros::Time(1, 2));
   EXPECT_EQ(transform.header, odometry.header);
   EXPECT_EQ(transform.child_frame_id, odometry.child_frame_id);
   EXPECT_EQ(transform.transform.translation.x, odometry.pose.pose.position.x);

@@ -18,9 +18,6 @@ using SteadyClock = std::chrono::steady_clock;
 /// Given to roscpp [s] to write the last diagnostics: a shutdown drops what is not written yet.
 constexpr double kTimeToWrite = 0.2;
 
-/// While time stands, /clock is sent again that often.
-constexpr std::chrono::milliseconds kClockPeriod(100);
-
 /// While ~step takes many steps, other callbacks are served that often.
 constexpr std::chrono::milliseconds kServicePeriod(50);
 
@@ -120,6 +117,7 @@ void SimulationNode::serveUntilDue() {
 
 /// While time stands, at a pace of its own: whoever comes finds a clock.
 void SimulationNode::repeatClock() {
+  constexpr std::chrono::milliseconds kClockPeriod(100);
   const SteadyClock::time_point now = SteadyClock::now();
   if (now < next_clock_) return;
   next_clock_ = now + kClockPeriod;
@@ -196,7 +194,6 @@ void SimulationNode::advance() {
   endStep();
 }
 
-/// From now on the simulation itself is shown.
 void SimulationNode::endStep() {
   within_step_ = pulled_ = false;
   outputs_.watch(simulation_);

@@ -25,8 +25,13 @@ NodeDriver::NodeDriver(const std::vector<std::string>& bodies) : bodies_(bodies)
   for (const std::string& body : bodies_) {
     const boost::function<void(const nav_msgs::Odometry&)> hear =
         [this, body](const nav_msgs::Odometry& message) {
+          const nav_msgs::Odometry before = odometry_[body];
           odometry_[body] = message;
-          if (body == bodies_[0]) stamps_.push_back(message.header.stamp);
+          // while paused the standing state comes again
+          const bool repeated = message.header.stamp == before.header.stamp &&
+                                message.pose.pose == before.pose.pose &&
+                                message.twist.twist == before.twist.twist;
+          if (body == bodies_[0] && !repeated) stamps_.push_back(message.header.stamp);
         };
     subscribers_.push_back(nh_.subscribe<nav_msgs::Odometry>(body + "/odom", kQueueSize, hear));
   }

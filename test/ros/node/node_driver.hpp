@@ -38,7 +38,8 @@ class NodeDriver {
   const nav_msgs::Odometry& odometry(const std::string& body) const;
   const geometry_msgs::TransformStamped& transform(const std::string& body) const;
 
-  /// Stamps of all odometry of the first body, in order of arrival.
+  /// Stamps of all odometry of the first body, in order of arrival, without repetitions of the
+  /// standing state.
   const std::vector<ros::Time>& stamps() const { return stamps_; }
 
   /// Transforms of the last TFMessage.
