@@ -19,6 +19,7 @@ constexpr std::size_t kMostForces = 200000;
 constexpr double kMostSteps = 9007199254740992;  ///< 2⁵³: no double counts on by ones from there
 
 constexpr std::size_t kMostUrdfBytes = 16 << 20;
+constexpr std::size_t kMostLinks = 10000;          ///< of a URDF file
 constexpr std::size_t kMostMeshBytes = 256 << 20;  ///< of STL and OBJ
 constexpr std::size_t kMostDaeBytes = 64 << 20;
 constexpr std::size_t kMostDaeNodes = 1000000;    ///< of a DAE file, every instance counted

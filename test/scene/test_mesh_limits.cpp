@@ -8,7 +8,7 @@
 
 #include "scene/limits.hpp"
 #include "scene/meshes/read_mesh.hpp"
-#include "scene/readers/read_urdf.hpp"
+#include "scene/urdf/read_urdf.hpp"
 #include "support/mesh_texts.hpp"
 #include "support/temporary_directory.hpp"
 #include "support/triangulations.hpp"

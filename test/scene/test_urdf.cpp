@@ -7,7 +7,7 @@
 
 #include "scene/build/body_mass.hpp"
 #include "scene/build/visuals_of.hpp"
-#include "scene/readers/read_urdf.hpp"
+#include "scene/urdf/read_urdf.hpp"
 #include "support/mass_difference.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -106,7 +106,7 @@ TEST_F(Urdf, NamesAreThoseOfTheFile) {
       files_.written("r.urdf", robot("<link name='base'>" + kInertial +
                                      "</link><link name='arm'/><joint name='j' type='fixed'>"
                                      "<parent link='base'/><child link='arm'/></joint>"));
-  const std::vector<UrdfLink> links = readUrdf(path);
+  const std::vector<UrdfLink> links = readUrdf(path).links;
   ASSERT_EQ(links.size(), 2U);
   EXPECT_EQ(links[0].name, "arm");
   EXPECT_FALSE(links[0].mass);
@@ -120,12 +120,11 @@ TEST_F(Urdf, NamesAreThoseOfTheFile) {
 }
 
 TEST_F(Urdf, KeepsTheRulesOfItsKeys) {
-  EXPECT_EQ(error("{file: r.urdf}"), "missing key 'urdf.link'");
   EXPECT_EQ(error("{link: base}"), "missing key 'urdf.file'");
   EXPECT_EQ(error("{file: r.urdf, link: ''}"), "urdf.link must be a text, got \"\"");
   EXPECT_EQ(error("{file: r.urdf, link: base, joint: j}"),
-            "unknown key 'urdf.joint' (known: file, link)");
-  EXPECT_EQ(error("r.urdf"), "urdf must be a mapping, got r.urdf");
+            "unknown key 'urdf.joint' (known: file, link, fixed_joints)");
+  EXPECT_EQ(error("r.urdf"), "urdf must be a mapping, got r.urdf (keys: file, link, fixed_joints)");
 }
 
 TEST_F(Urdf, SaysWhatIsWrongWithItsFile) {

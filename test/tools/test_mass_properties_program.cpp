@@ -11,7 +11,7 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "scene/build/body_mass.hpp"
-#include "scene/readers/read_urdf.hpp"
+#include "scene/urdf/read_urdf.hpp"
 #include "support/mass_difference.hpp"
 #include "support/mesh_edits.hpp"
 #include "support/mesh_texts.hpp"
@@ -60,7 +60,7 @@ class MassPropertiesProgram : public ::testing::Test {
   MassProperties pastedInertial(const std::string& inertial) const {
     return *readUrdf(files_.written("pasted.urdf", "<robot name='r'><link name='l'>" + inertial +
                                                        "</link></robot>"))
-                .at(0)
+                .links.at(0)
                 .mass;
   }
 
@@ -152,7 +152,7 @@ TEST_F(MassPropertiesProgram, WritesUrdfThatMakesTheSameBody) {
                        massProperties(pasted(out(mesh + "yaml")).at(0)), 0));
 
   const std::string path = kConfig + "/urdf/rover.urdf";
-  const std::vector<UrdfLink> links = readUrdf(path);
+  const std::vector<UrdfLink> links = readUrdf(path).links;
   const std::string all = out(path + " --format urdf");
   std::size_t at = 0;
   for (const UrdfLink& link : links) {
@@ -174,6 +174,45 @@ TEST_F(MassPropertiesProgram, LeavesOutLinksWithoutInertial) {
   EXPECT_THAT(out(path + " --format urdf"), StartsWith("<!-- a- -b -->\n"));
   expectFailure(files_.written("none.urdf", "<robot name='r'><link name='a'/></robot>"), 1,
                 files_.path("none.urdf") + ": no link has an <inertial>");
+}
+
+TEST_F(MassPropertiesProgram, PrintsTheGoodLinksAndNamesTheOthers) {
+  const auto link = [](const std::string& name, const std::string& mass, const std::string& izz) {
+    return "<link name='" + name + "'><inertial><mass value='" + mass +
+           "'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='" + izz +
+           "'/></inertial></link>";
+  };
+  const std::string path = files_.written(
+      "arm.urdf", "<robot name='arm'>" + link("upper", "2", "1") + link("tool_point", "0", "1") +
+                      link("finger", "0.1", "4") +
+                      "<joint name='j' type='fixed'><parent link='upper'/><child "
+                      "link='tool_point'/></joint><joint name='k' type='fixed'><parent "
+                      "link='tool_point'/><child link='finger'/></joint></robot>");
+  const Outcome outcome = run(path);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, StartsWith("upper\n  mass               2 kg\n"));
+  EXPECT_EQ(outcome.out.find("finger"), std::string::npos);
+  EXPECT_EQ(outcome.error,
+            "mass_properties: " + path +
+                ": link 'finger': inertia must satisfy the triangle inequality I1 + I2 >= I3, got "
+                "principal moments [1, 1, 4] kg m^2: 2 < 4\n"
+                "mass_properties: " +
+                path + ": link 'tool_point': mass must be > 0 kg, got 0\n");
+}
+
+TEST_F(MassPropertiesProgram, UsesALinkWhoseColourItCannotRead) {
+  const std::string path = files_.written(
+      "disc.urdf",
+      "<robot name='disc'><material name='paint'><color rgba='1/2 0.2 0 1'/></material>"
+      "<link name='hub'><inertial><mass value='3'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' "
+      "iyz='0' izz='1'/></inertial><visual><geometry><box size='1 1 1'/></geometry><material "
+      "name='paint'/></visual></link></robot>");
+  const Outcome outcome = run(path);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, StartsWith("hub\n  mass               3 kg\n"));
+  EXPECT_EQ(outcome.error, "mass_properties: notice: " + path +
+                               ": material 'paint' is left out: its color must be four numbers "
+                               "from 0 to 1, got '1/2 0.2 0 1'\n");
 }
 
 TEST_F(MassPropertiesProgram, MakesANameOfTheFile) {
@@ -231,8 +270,9 @@ TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsInput) {
   const std::string text = files_.written("a.txt", "x");
   expectFailure(text, 1, text + ":1: a mapping is expected, got x");
   expectFailure("no.stl", 1, "no.stl: mesh file does not exist");
-  expectFailure("no.yaml", 1, "no.yaml: cannot be opened: No such file or directory");
-  expectFailure("no.urdf", 1, "no.urdf: cannot be opened: No such file or directory");
+  const std::string here = " (looked for in " + std::filesystem::current_path().string() + ")";
+  expectFailure("no.yaml", 1, "no.yaml: cannot be opened: No such file or directory" + here);
+  expectFailure("no.urdf", 1, "no.urdf: cannot be opened: No such file or directory" + here);
   const std::string scene = files_.written("s.yaml", "time_step: 1\nbodies: []\n");
   expectFailure(scene, 1, scene + ":2: bodies must be a list of at least one body, got []");
   const std::string package = files_.written(

@@ -33,8 +33,11 @@ struct PointDef {
 
 /// How a body is drawn; it has no part in the motion.
 struct VisualDef {
-  std::string mesh;            ///< URL; empty: what the body is made of
-  std::optional<Color> color;  ///< none: as the viewer likes
+  std::string mesh;                                   ///< URL; empty: what the body is made of
+  Vector3d scale = Vector3d::Ones();                  ///< > 0, along the axes of the mesh file
+  Vector3d position = Vector3d::Zero();               ///< [m] of the mesh, in the body frame
+  Quaterniond orientation = Quaterniond::Identity();  ///< of the mesh, in the body frame, unit
+  std::optional<Color> color;                         ///< none: as the viewer likes
 };
 
 /// Which solid a mesh stands for: what its closed surface encloses, its convex hull, or its
@@ -64,11 +67,13 @@ struct PartDef {
   std::variant<MassProperties, SolidDef> content;     ///< given properties or a solid, in S
   Vector3d position = Vector3d::Zero();               ///< [m] of the origin of S
   Quaterniond orientation = Quaterniond::Identity();  ///< q_BS, unit
+  int line = 0;
 };
 
-/// A link of a URDF file.
+/// A link of a URDF file, alone or with those that hang on it by fixed joints. The body frame is
+/// that of the link.
 struct LinkDef {
-  MassProperties mass;  ///< of <inertial>, in the link's frame
+  MassProperties mass;  ///< of their <inertial> elements, summed
   std::vector<Visual> visuals;
 };
 
@@ -79,6 +84,7 @@ using CompositionDef =
 
 struct BodyDef {
   std::string name;
+  std::string frame;  ///< in tf; empty: the name
   CompositionDef composition;
   Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the world
   Quaterniond orientation = Quaterniond::Identity();  ///< q_WB, unit
@@ -91,6 +97,11 @@ struct BodyDef {
   int line = 0;              ///< of its name
   int composition_line = 0;  ///< of the key that says what it is made of
 };
+
+/// The tf frame of a body.
+inline const std::string& frameOf(const BodyDef& body) {
+  return body.frame.empty() ? body.name : body.frame;
+}
 
 /// A wrench by the names of its frames.
 struct WrenchDef {

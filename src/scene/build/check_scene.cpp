@@ -1,8 +1,10 @@
 #include "scene/build/check_scene.hpp"
 
-#include <map>
+#include <unordered_map>
+#include <utility>
 
 #include "scene/build/body_mass.hpp"
+#include "scene/build/inertia_rules.hpp"
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
@@ -10,28 +12,38 @@ namespace {
 
 /// Every frame has one name: the world's, a body's, a point's.
 void checkNames(const Scene& scene) {
-  std::map<std::string, int> line_of;
-  const auto claim = [&](const std::string& name, int line, const std::string& where) {
+  std::unordered_map<std::string, std::pair<const char*, int>> owner_of;  // its kind and line
+  const auto claim = [&](const std::string& name, const char* kind, int line,
+                         const std::string& where) {
     if (name == scene.world_frame)
       throw SceneError(scene.source, line, where + ": '" + name + "' is the world frame's name");
-    const auto [taken, is_new] = line_of.emplace(name, line);
+    const auto [taken, is_new] = owner_of.emplace(name, std::make_pair(kind, line));
     if (!is_new)
-      throw SceneError(
-          scene.source, line,
-          where + ": name is taken, by the body on line " + std::to_string(taken->second));
+      throw SceneError(scene.source, line,
+                       where + ": name is taken, by the " + taken->second.first + " on line " +
+                           std::to_string(taken->second.second));
   };
   for (const BodyDef& body : scene.bodies) {
     const std::string where = "body '" + body.name + "'";
-    claim(body.name, body.line, where);
+    claim(body.name, "body", body.line, where);
+    if (frameOf(body) != body.name) claim(frameOf(body), "body", body.line, where + ": frame");
     for (const PointDef& point : body.points)
-      claim(body.name + "/" + point.name, point.line, where + ": points." + point.name);
+      claim(body.name + "/" + point.name, "point", point.line, where + ": points." + point.name);
   }
 }
 
 void checkMassProperties(const Scene& scene, const BodyDef& body) {
-  const std::string fault = massPropertiesFault(massProperties(body));
-  if (!fault.empty())
-    throw SceneError(scene.source, body.composition_line, "body '" + body.name + "': " + fault);
+  const std::string where = "body '" + body.name + "': ";
+  if (const auto* parts = std::get_if<std::vector<PartDef>>(&body.composition))
+    for (std::size_t i = 0; i < parts->size(); ++i) {
+      const auto* given = std::get_if<MassProperties>(&(*parts)[i].content);
+      const std::string fault = given ? partMassFault(*given) : "";
+      if (!fault.empty())
+        throw SceneError(scene.source, (*parts)[i].line,
+                         where + "parts[" + std::to_string(i) + "]: " + fault);
+    }
+  const std::string fault = bodyMassFault(massProperties(body));
+  if (!fault.empty()) throw SceneError(scene.source, body.composition_line, where + fault);
 }
 
 void checkMotion(const Scene& scene, const BodyDef& body) {

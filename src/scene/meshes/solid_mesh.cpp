@@ -6,7 +6,7 @@
 #include <rigid_body_sim/mass/checked_mesh.hpp>
 
 #include "mass/merged_vertices.hpp"
-#include "scene/files/file_reference.hpp"
+#include "scene/files/viewer_url.hpp"
 #include "scene/meshes/bounding_box.hpp"
 #include "scene/meshes/convex_hull.hpp"
 #include "scene/meshes/read_mesh.hpp"

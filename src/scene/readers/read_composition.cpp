@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "scene/build/body_mass.hpp"
+#include "scene/build/inertia_rules.hpp"
 #include "scene/readers/readers.hpp"
 
 namespace rigid_body_sim {
@@ -28,12 +29,23 @@ std::optional<double> readOptional(const Entry& mapping, const char* key, const 
   return readPositive(mapping.child(*node), unit);
 }
 
+/// Whether moments that break the triangle inequality are raised to meet it.
+bool readBalance(const Entry& body) {
+  const YamlNode* node = body.node().find("impossible_inertia");
+  if (!node) return false;
+  if (node->text == "balance") return true;
+  if (node->text != "refuse") body.child(*node).failRule("must be refuse or balance");
+  return false;
+}
+
+/// The keys that go with others.
 struct MassKeys {
   std::optional<double> mass, density;
+  bool balance = false;
 };
 
-MassKeys readMassKeys(const Entry& mapping) {
-  return {readOptional(mapping, "mass", "kg"), readOptional(mapping, "density", "kg/m^3")};
+MassKeys readMassKeys(const Entry& mapping, bool balance) {
+  return {readOptional(mapping, "mass", "kg"), readOptional(mapping, "density", "kg/m^3"), balance};
 }
 
 /// The mapping names a shape, with mass or density.
@@ -66,11 +78,17 @@ MassProperties readGiven(const Entry& mapping, const MassKeys& keys) {
   refuse(mapping, {"density"}, "needs a shape");
   if (!keys.mass) failMissing(mapping, "key 'mass'");
   const YamlNode* center = mapping.node().find("center_of_mass");
-  return {*keys.mass, center ? readVector3(mapping.child(*center), "m") : Vector3d::Zero(),
-          inertia};
+  MassProperties given = {
+      *keys.mass, center ? readVector3(mapping.child(*center), "m") : Vector3d::Zero(), inertia};
+  const std::string notice = keys.balance ? balanceInertia(given) : "";
+  if (!notice.empty()) {
+    const Entry where = mapping.child(*mapping.node().find("inertia"));
+    where.context().notices.push_back(where.located(where.key() + ": " + notice));
+  }
+  return given;
 }
 
-PartDef readPart(const Entry& entry) {
+PartDef readPart(const Entry& entry, bool balance) {
   const auto later = [](const Entry&, PartDef&) {};
   const std::vector<Key<PartDef>> keys = {
       {"shape", later},
@@ -79,11 +97,12 @@ PartDef readPart(const Entry& entry) {
       {"inertia", later},
       {"center_of_mass", later},
       {"position", [](const Entry& e, PartDef& p) { p.position = readVector3(e, "m"); }},
-      {"orientation", [](const Entry& e, PartDef& p) { p.orientation = readQuaternion(e); }},
+      {"orientation", [](const Entry& e, PartDef& p) { p.orientation = readOrientation(e); }},
   };
   PartDef part;
   readMapping(entry, keys, part);
-  const MassKeys mass = readMassKeys(entry);
+  part.line = entry.node().line;
+  const MassKeys mass = readMassKeys(entry, balance);
   if (entry.node().find("shape"))
     part.content = readSolid(entry, mass);
   else if (entry.node().find("inertia"))
@@ -93,10 +112,10 @@ PartDef readPart(const Entry& entry) {
   return part;
 }
 
-std::vector<PartDef> readParts(const Entry& entry) {
+std::vector<PartDef> readParts(const Entry& entry, bool balance) {
   const std::string rule = "must be a list of at least one part";
   std::vector<PartDef> parts;
-  for (const Entry& item : entry.items(rule)) parts.push_back(readPart(item));
+  for (const Entry& item : entry.items(rule)) parts.push_back(readPart(item, balance));
   if (parts.empty()) entry.failRule(rule);
   return parts;
 }
@@ -137,23 +156,28 @@ const YamlNode& compositionKey(const Entry& body) {
   return *found;
 }
 
-CompositionDef compositionOf(const Entry& body, const YamlNode& key) {
-  const MassKeys mass = readMassKeys(body);
-  if (key.key == "shape") return readSolid(body, mass);
-  if (key.key == "inertia") return readGiven(body, mass);
-  refuseGiven(body, {"inertia", "center_of_mass", "mass", "density"}, key.key.c_str());
-  const Entry value = body.child(key);
-  if (key.key == "parts") return readParts(value);
+CompositionDef compositionOf(const Entry& entry, const YamlNode& key, const MassKeys& mass,
+                             BodyDef& body) {
+  if (key.key == "inertia") return readGiven(entry, mass);
+  if (key.key == "shape" || key.key == "particles")
+    refuse(entry, {"impossible_inertia"}, "goes with inertia, parts or urdf");
+  if (key.key == "shape") return readSolid(entry, mass);
+  refuseGiven(entry, {"inertia", "center_of_mass", "mass", "density"}, key.key.c_str());
+  const Entry value = entry.child(key);
+  if (key.key == "parts") return readParts(value, mass.balance);
   if (key.key == "particles") return readParticles(value);
-  return readLink(value);
+  LinkedBody linked = readLink(value, mass.balance);
+  body.points.insert(body.points.end(), linked.points.begin(), linked.points.end());
+  return std::move(linked.def);
 }
 
 }  // namespace
 
 void readComposition(const Entry& entry, BodyDef& body) {
-  readMassKeys(entry);  // a bad number is refused before a key that is missing
+  // a bad value is refused before a key that is missing
+  const MassKeys mass = readMassKeys(entry, readBalance(entry));
   const YamlNode& key = compositionKey(entry);
-  body.composition = compositionOf(entry, key);
+  body.composition = compositionOf(entry, key, mass, body);
   body.composition_line = key.line;
 }
 

@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "scene/files/file_reference.hpp"
 #include "scene/meshes/solid_mesh.hpp"
+#include "scene/readers/file_reference.hpp"
 #include "scene/readers/readers.hpp"
 
 namespace rigid_body_sim {

@@ -20,8 +20,15 @@ Vector3d readMeshScale(const Entry& value);
 /// The value of `mesh` within a shape; reads the file.
 MeshDef readMeshDef(const Entry& entry);
 
-/// The value of `urdf`; reads the file.
-LinkDef readLink(const Entry& entry);
+/// A body made of links of a URDF file.
+struct LinkedBody {
+  LinkDef def;
+  std::vector<PointDef> points;  ///< the frames of the links; none for a link alone
+};
+
+/// The value of `urdf`; reads the file. balance: whether moments that break the triangle inequality
+/// are raised to meet it.
+LinkedBody readLink(const Entry& entry, bool balance);
 
 /// What the body is made of, from the keys that say so; refuses keys, or a lack of them, that do
 /// not say it once. entry: the mapping of the body.

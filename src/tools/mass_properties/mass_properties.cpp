@@ -12,8 +12,9 @@ int main(int argc, char** argv) {
   try {
     const MassPropertiesOptions options = parseMassPropertiesOptions(argc, argv);
     const Masses masses = options.help ? Masses() : readMasses(options);
-    const std::string out =
-        options.help ? massPropertiesHelp() : formatted(masses.bodies, options.format);
+    const std::string out = options.help            ? massPropertiesHelp()
+                            : masses.bodies.empty() ? std::string()
+                                                    : formatted(masses.bodies, options.format);
     if (std::fputs(out.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
       std::perror("mass_properties: standard output");
       return kBadInput;
@@ -21,8 +22,9 @@ int main(int argc, char** argv) {
     Preface preface;
     for (const std::string& notice : masses.notices)
       preface.add(noticeLine("mass_properties", notice));
+    for (const std::string& fault : masses.faults) preface.add("mass_properties: " + fault);
     preface.say();
-    return kDone;
+    return masses.faults.empty() ? kDone : kBadInput;
   } catch (const UsageError& error) {
     std::fprintf(stderr, "mass_properties: %s (mass_properties --help)\n", error.what());
     return kWrongUsage;

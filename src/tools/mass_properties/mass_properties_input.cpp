@@ -9,7 +9,8 @@
 #include "scene/build/body_mass.hpp"
 #include "scene/meshes/read_mesh.hpp"
 #include "scene/meshes/solid_mesh.hpp"
-#include "scene/readers/read_urdf.hpp"
+#include "scene/message_text.hpp"
+#include "scene/urdf/read_urdf.hpp"
 #include "tools/mass_properties/scene_names.hpp"
 
 namespace rigid_body_sim {
@@ -49,18 +50,20 @@ Masses massesOfScene(const std::string& path) {
   return masses;
 }
 
-/// link: one that has a mass
-NamedMass massOfLink(const std::string& path, const UrdfLink& link) {
-  const std::string fault = massPropertiesFault(*link.mass);
-  if (!fault.empty()) throw std::runtime_error(path + ": link '" + link.name + "': " + fault);
-  return {link.name, "", *link.mass};
-}
-
 Masses massesOfUrdf(const std::string& path) {
+  const UrdfRobot robot = readUrdf(path);
   Masses masses;
-  for (const UrdfLink& link : readUrdf(path))
-    if (link.mass) masses.bodies.push_back(massOfLink(path, link));
-  if (masses.bodies.empty()) throw std::runtime_error(path + ": no link has an <inertial>");
+  for (const std::string& notice : robot.notices) masses.notices.push_back(path + ": " + notice);
+  for (const UrdfLink& link : robot.links) {
+    if (!link.mass) continue;
+    const std::string fault = massPropertiesFault(*link.mass);
+    if (fault.empty())
+      masses.bodies.push_back({link.name, "", *link.mass});
+    else
+      masses.faults.push_back(path + ": link '" + printable(link.name) + "': " + fault);
+  }
+  if (masses.bodies.empty() && masses.faults.empty())
+    throw std::runtime_error(path + ": no link has an <inertial>");
   return masses;
 }
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <urdf_model/model.h>
+#include <urdf_world/types.h>
+
+namespace rigid_body_sim {
+
+struct ParsedUrdf {
+  urdf::ModelInterfaceSharedPtr model;
+  std::vector<std::string> notices;  ///< what was left out of what is drawn, and why
+};
+
+/// Parses the XML of a robot, without what of its looks cannot be read. Throws std::runtime_error
+/// with the reason.
+ParsedUrdf parseUrdf(const std::string& xml);
+
+}  // namespace rigid_body_sim
