@@ -1,9 +1,28 @@
 #include "scene/message_text.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 
 namespace rigid_body_sim {
+namespace {
+
+/// How many characters have to be put in, taken out or replaced (Levenshtein).
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> to_prefix(b.size() + 1);  // of what was gone through of a, to those of b
+  std::iota(to_prefix.begin(), to_prefix.end(), std::size_t{0});
+  for (const char c : a) {
+    std::size_t diagonal = to_prefix[0]++;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (c != b[j - 1]);
+      diagonal = to_prefix[j];
+      to_prefix[j] = std::min({replaced, diagonal + 1, to_prefix[j - 1] + 1});
+    }
+  }
+  return to_prefix[b.size()];
+}
+
+}  // namespace
 
 std::string oneLine(std::string text) {
   const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
@@ -32,6 +51,22 @@ std::string nameList(const std::vector<std::string>& names) {
     list += names[i];
   }
   return list;
+}
+
+std::string didYouMean(const std::string& text, const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNames = 10000;  // a message is no reason to wait
+  const std::size_t most = text.size() <= 3 ? 1 : 2;
+  std::size_t least = most + 1;
+  std::string nearest;
+  for (std::size_t i = 0; i < names.size() && i < kMostNames; ++i) {
+    const std::size_t length = names[i].size();
+    if (std::max(length, text.size()) - std::min(length, text.size()) > most) continue;
+    const std::size_t edits = editDistance(text, names[i]);
+    if (edits >= least) continue;
+    least = edits;
+    nearest = names[i];
+  }
+  return nearest.empty() ? "" : "; did you mean '" + printable(nearest) + "'?";
 }
 
 }  // namespace rigid_body_sim

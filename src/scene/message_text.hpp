@@ -17,6 +17,10 @@ std::string printable(const std::string& text);
 /// "[1, 2, 3]"
 std::string listed(const Vector3d& v);
 
+/// "; did you mean 'box'?", with the name that differs least from the text where one differs
+/// little; else empty.
+std::string didYouMean(const std::string& text, const std::vector<std::string>& names);
+
 /// "a, b, c"; cut short after the first ten.
 std::string nameList(const std::vector<std::string>& names);
 

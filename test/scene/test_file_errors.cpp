@@ -21,7 +21,10 @@ std::string loadErrorOf(const std::string& path) {
 
 TEST(SceneFile, IsRefusedWhenAbsent) {
   EXPECT_EQ(loadErrorOf("absent/x.yaml"),
-            "absent/x.yaml: cannot be opened: No such file or directory");
+            "absent/x.yaml: cannot be opened: No such file or directory (looked for in " +
+                std::filesystem::current_path().string() + ")");
+  EXPECT_EQ(loadErrorOf("/absent/x.yaml"),
+            "/absent/x.yaml: cannot be opened: No such file or directory");
 }
 
 TEST(SceneFile, IsRefusedWhenADirectory) {

@@ -22,14 +22,15 @@ TEST(SceneKeys, MustBeKnown) {
   EXPECT_EQ(
       boxError("    mas: 1\n"),
       kAt +
-          "unknown key 'mas' (known: name, shape, mass, density, inertia, center_of_mass, "
-          "parts, particles, urdf, position, orientation, twist, drag, points, fixed, visual)");
+          "unknown key 'mas' (known: name, frame, shape, mass, density, inertia, center_of_mass, "
+          "parts, particles, urdf, impossible_inertia, position, orientation, twist, drag, points, "
+          "fixed, visual)");
   EXPECT_EQ(boxError("    twist: {fram: world}\n"),
             kAt + "unknown key 'twist.fram' (known: frame, linear, angular)");
   EXPECT_EQ(boxError("    points: {a: {pos: [0, 0, 0]}}\n"),
             kAt + "unknown key 'points.a.pos' (known: position, orientation)");
   EXPECT_EQ(boxError("    visual: {colour: 1}\n"),
-            kAt + "unknown key 'visual.colour' (known: mesh, color)");
+            kAt + "unknown key 'visual.colour' (known: mesh, scale, position, orientation, color)");
   EXPECT_EQ(boxError("wrenches:\n  - {bodi: box}\n"),
             "s.yaml:7: wrenches[0]: unknown key 'bodi' (known: body, point, point_frame, frame, "
             "force, torque, start, duration)");

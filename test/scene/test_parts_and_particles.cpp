@@ -79,7 +79,9 @@ TEST(SceneParts, KeepTheirRules) {
             kAt + "parts must be a list of at least one part, got []");
   EXPECT_EQ(errorOf(bodyText("    parts: {box: 1}\n")),
             kAt + "parts must be a list of at least one part, got a mapping");
-  EXPECT_EQ(partError("7"), kAt + "parts[0] must be a mapping, got 7");
+  EXPECT_EQ(partError("7"), kAt +
+                                "parts[0] must be a mapping, got 7 (keys: shape, mass, density, "
+                                "inertia, center_of_mass, position, orientation)");
   EXPECT_EQ(partError("{mass: 1}"), kAt + "parts[0]: missing key 'shape' or 'inertia'");
   EXPECT_EQ(partError("{inertia: {ixx: 1, iyy: 1, izz: 1}}"), kAt + "parts[0]: missing key 'mass'");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, center_of_mass: [0, 0, 0]}"),
@@ -104,7 +106,7 @@ TEST(SceneParts, KeepTheirRules) {
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, orientation: [0, 0, 0, 2]}"),
             kAt +
                 "parts[0].orientation must be a unit quaternion [x, y, z, w], its norm within 1e-3 "
-                "of 1, got [0, 0, 0, 2]");
+                "of 1, got [0, 0, 0, 2] of norm 2");
 }
 
 TEST(SceneParticles, AreThePointMassesOfTheMassLayer) {

@@ -69,14 +69,16 @@ TEST(SceneNumbers, ArePositiveWhereTheyMustBe) {
 TEST(SceneInertia, IsThatOfARigidBody) {
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 1, izz: 5}"),
             "s.yaml:5: body 'a': inertia must satisfy the triangle inequality I1 + I2 >= I3, got "
-            "principal moments [1, 1, 5] kg m^2: 2 < 5");
+            "principal moments [1, 1, 5] kg m^2: 2 < 5 (impossible_inertia: balance raises the "
+            "moments to meet it)");
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 1, izz: -1}"),
             "s.yaml:5: body 'a': inertia must be positive definite, got principal moments "
             "[-1, 1, 1] kg m^2");
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 2, izz: 3}"), "");  // a flat plate
   EXPECT_EQ(massError("1", "{ixx: 1, iyy: 1}"), "s.yaml:5: body 'a': missing key 'inertia.izz'");
   EXPECT_EQ(massError("1", "[1, 1, 1]"),
-            "s.yaml:5: body 'a': inertia must be a mapping, got [1, 1, 1]");
+            "s.yaml:5: body 'a': inertia must be a mapping, got [1, 1, 1] (keys: ixx, iyy, izz, "
+            "ixy, ixz, iyz)");
 }
 
 TEST(SceneMass, MustFitIntoADouble) {
@@ -106,11 +108,11 @@ TEST(SceneValues, KeepTheirOtherRules) {
   EXPECT_EQ(boxError("    orientation: [0, 0, 0, 1.002]\n"),
             kAt +
                 "orientation must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1, "
-                "got [0, 0, 0, 1.002]");
+                "got [0, 0, 0, 1.002] of norm 1.002");
   EXPECT_EQ(boxError("    orientation: [0, 0, 0, 0]\n"),
             kAt +
                 "orientation must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1, "
-                "got [0, 0, 0, 0]");
+                "got [0, 0, 0, 0] of norm 0");
   // off by 1e-3 and no more, on either side
   EXPECT_EQ(boxError("    orientation: [0, 0, 0, 0.999]\n"), "");
   EXPECT_EQ(boxError("    orientation: [0, 0, 0, 1.001]\n"), "");

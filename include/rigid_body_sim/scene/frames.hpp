@@ -14,7 +14,8 @@ struct FixedFrame {
   Isometry3d X_PF = Isometry3d::Identity();  ///< in the body's principal frame, or in the world
 };
 
-/// The frames of a scene by name: the world frame, `<body>`, `<body>/<point>`. Those of a body that
+/// The frames of a scene by name: the world frame, `<body>`, the body's tf frame where that is
+/// another name, `<body>/<point>`. Those of a body that
 /// never moves are frames of the world.
 class FrameTable {
  public:
@@ -35,6 +36,9 @@ class FrameTable {
 
   /// "world, box, box/thruster": in the order of the scene, cut short after the first ten.
   std::string names() const;
+
+  /// "; did you mean 'box'?" for a name that differs little from one of the table; else empty.
+  std::string suggestion(const std::string& name) const;
 
  private:
   struct Entry {

@@ -57,8 +57,8 @@ class LawBuilder {
   Spring::End endOf(const SpringEndDef& def, const std::string& key) const {
     if (def.body.empty()) return {kWorld, def.point};
     if (names_.count(def.body) == 0)
-      fail(def.line, key + ".body must be one of " + namesOf(bodies_) + ", got '" +
-                         printable(def.body) + "'");
+      fail(def.line, key + ".body must be one of " + nameList(namesOf(bodies_)) + ", got '" +
+                         printable(def.body) + "'" + didYouMean(def.body, namesOf(bodies_)));
     const FixedFrame& frame = *frames_.find(def.body);
     return {frame.body, frame.X_PF * def.point};
   }

@@ -16,6 +16,7 @@ void FrameTable::add(const BodyDef& def, const Body& body, std::size_t index) {
   const FixedFrame frame = def.fixed ? FixedFrame{kWorld, isometry(def.orientation, def.position)}
                                      : FixedFrame{index, body.X_BP.inverse()};
   put(def.name, {frame, def.name});
+  if (frameOf(def) != def.name) put(frameOf(def), {frame, def.name});
   for (const PointDef& point : def.points)
     put(def.name + "/" + point.name,
         {{frame.body, frame.X_PF * isometry(point.orientation, point.position)}, def.name});
@@ -40,6 +41,10 @@ const FixedFrame* FrameTable::find(const std::string& name) const {
 }
 
 std::string FrameTable::names() const { return nameList(order_); }
+
+std::string FrameTable::suggestion(const std::string& name) const {
+  return didYouMean(name, order_);
+}
 
 void FrameTable::put(const std::string& name, const Entry& entry) {
   if (frames_.insert_or_assign(name, entry).second) order_.push_back(name);

@@ -33,14 +33,15 @@ std::string bodyFault(const std::string& name, const std::vector<Body>& bodies,
   const auto body =
       std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
   if (body == bodies.end())
-    return "unknown body '" + printable(name) + "' (known: " + namesOf(bodies) + ")";
+    return "unknown body '" + printable(name) + "'" + " (known: " + nameList(namesOf(bodies)) +
+           ")" + didYouMean(name, namesOf(bodies));
   return "body '" + name + "' is fixed, no wrench can move it";
 }
 
 std::string frameFault(const char* key, const std::string& name, const FrameTable& frames) {
   if (frames.find(name)) return "";
-  return std::string("unknown ") + key + " '" + printable(name) + "' (known: " + frames.names() +
-         ")";
+  return std::string("unknown ") + key + " '" + printable(name) + "'" +
+         " (known: " + frames.names() + ")" + frames.suggestion(name);
 }
 
 /// The first that is not empty.

@@ -74,7 +74,9 @@ std::vector<Visual> visualsOf(const BodyDef& body) {
   if (body.visual.mesh.empty())
     visuals = std::visit([](const auto& kind) { return visualsOfKind(kind); }, body.composition);
   else
-    visuals.push_back({MeshVisual{body.visual.mesh, Vector3d::Ones()}, Isometry3d::Identity(), {}});
+    visuals.push_back({MeshVisual{body.visual.mesh, body.visual.scale},
+                       isometry(body.visual.orientation, body.visual.position),
+                       {}});
   if (body.visual.color)
     for (Visual& visual : visuals) visual.color = body.visual.color;
   return visuals;

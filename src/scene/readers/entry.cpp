@@ -6,6 +6,16 @@
 
 namespace rigid_body_sim {
 
+namespace {
+
+std::string namesOf(const std::vector<std::pair<std::string, bool>>& keys) {
+  std::string names;
+  for (const auto& key : keys) names += (names.empty() ? "" : ", ") + key.first;
+  return names;
+}
+
+}  // namespace
+
 Entry Entry::as(std::string place) const {
   Entry entry = *this;
   entry.place_ = std::move(place);
@@ -53,16 +63,17 @@ std::string Entry::located(const std::string& message) const {
 }
 
 void checkKeys(const Entry& mapping, const std::vector<std::pair<std::string, bool>>& known) {
-  if (mapping.node().kind != YamlNode::Kind::kMapping)
-    mapping.failRule(mapping.key().empty() ? "a mapping is expected" : "must be a mapping");
+  if (mapping.node().kind != YamlNode::Kind::kMapping) {
+    if (mapping.key().empty()) mapping.failRule("a mapping is expected");
+    mapping.fail(mapping.key() + " must be a mapping, got " + printable(mapping.node()) +
+                 " (keys: " + namesOf(known) + ")");
+  }
   for (const YamlNode& node : mapping.node().children) {
     const bool is_known = std::any_of(known.begin(), known.end(),
                                       [&](const auto& key) { return key.first == node.key; });
     if (is_known) continue;
-    std::string names;
-    for (const auto& key : known) names += (names.empty() ? "" : ", ") + key.first;
     const Entry unknown = mapping.child(node);
-    unknown.fail("unknown key '" + printable(unknown.key()) + "' (known: " + names + ")");
+    unknown.fail("unknown key '" + printable(unknown.key()) + "' (known: " + namesOf(known) + ")");
   }
   for (const auto& [name, required] : known) {
     if (!required || mapping.node().find(name)) continue;

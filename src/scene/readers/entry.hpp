@@ -85,6 +85,11 @@ bool isName(const std::string& text);
 /// The same as a message says it.
 std::string nameRule();
 
+/// A name in tf, such as base-link or arm/wrist.
+std::string readFrameName(const Entry& value);
+bool isFrameName(const std::string& text);
+std::string frameNameRule();
+
 /// The nearest double; finite. `unit` is for the message; empty: a pure number.
 double readNumber(const Entry& value, const std::string& unit);
 double readPositive(const Entry& value, const std::string& unit);
@@ -94,7 +99,7 @@ double readDuration(const Entry& value);
 Vector3d readVector3(const Entry& value, const std::string& unit);
 std::vector<double> readNumbers(const Entry& value, std::size_t count, const std::string& unit);
 
-/// [x, y, z, w], normalised; its norm must be within 1e-3 of 1.
-Quaterniond readQuaternion(const Entry& value);
+/// [x, y, z, w], normalised, its norm within 1e-3 of 1; or {rpy: [roll, pitch, yaw]}.
+Quaterniond readOrientation(const Entry& value);
 
 }  // namespace rigid_body_sim

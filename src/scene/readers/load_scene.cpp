@@ -11,6 +11,7 @@
 #include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/readers/readers.hpp"
+#include "scene/readers/suspicious.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -100,12 +101,16 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
   };
   const YamlNode document = parseYaml(yaml_text, context.source);
   const Entry root(context, document);
+  // bodies may name it, and stand before it
+  if (const YamlNode* node = document.find("world_frame"))
+    context.world_frame = readWorldFrame(root.child(*node));
   Scene scene;
   scene.source = context.source;
   readMapping(root, keys, scene);
   refuseIdleTolerance(root, scene);
   refuseUncountableSteps(root, scene);
   scene.notices = std::move(context.notices);
+  for (std::string& notice : suspicions(context)) scene.notices.push_back(std::move(notice));
   checkScene(scene);
   return scene;
 }
@@ -114,13 +119,18 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
 
 Scene parseScene(const std::string& yaml_text, const std::string& source_name,
                  const PackageFinder& find_package) {
-  return readScene(yaml_text, {source_name, "", find_package, {}, {}});
+  ReadContext context;
+  context.source = source_name;
+  context.find_package = find_package;
+  return readScene(yaml_text, std::move(context));
 }
 
 Scene loadScene(const std::string& path, const PackageFinder& find_package) {
-  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
-  return readScene(readFile(path, "scene file", kMostSceneBytes),
-                   {path, directory, find_package, {}, {}});
+  ReadContext context;
+  context.source = path;
+  context.directory = std::filesystem::path(path).parent_path();
+  context.find_package = find_package;
+  return readScene(readFile(path, "scene file", kMostSceneBytes), std::move(context));
 }
 
 }  // namespace rigid_body_sim

@@ -1,33 +1,37 @@
-#include "scene/files/file_reference.hpp"
+#include "scene/files/viewer_url.hpp"
 #include "scene/limits.hpp"
 #include "scene/readers/readers.hpp"
+#include "scene/readers/suspicious.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-/// Whether a twist is given in body axes.
-bool readTwistFrame(const Entry& value) {
-  if (value.node().text == "world") return false;
-  if (value.node().text == "body") return true;
+/// Whether a twist is given in body axes; the names of both frames stand for them, too.
+bool readTwistFrame(const Entry& value, const BodyDef& body) {
+  const std::string& text = value.node().text;
+  if (text == "world") return false;
+  if (text == "body" || text == body.name || text == frameOf(body)) return true;
+  if (text == value.context().world_frame) return false;
   value.failRule("must be world or body");
 }
 
-TwistDef readTwist(const Entry& entry) {
+TwistDef readTwist(const Entry& entry, const BodyDef& body) {
   const std::vector<Key<TwistDef>> keys = {
-      {"frame", [](const Entry& e, TwistDef& t) { t.in_body_axes = readTwistFrame(e); }, true},
+      {"frame", [](const Entry&, TwistDef&) {}, true},
       {"linear", [](const Entry& e, TwistDef& t) { t.linear = readVector3(e, "m/s"); }},
       {"angular", [](const Entry& e, TwistDef& t) { t.angular = readVector3(e, "rad/s"); }},
   };
   TwistDef twist;
   twist.line = entry.node().line;
   readMapping(entry, keys, twist);
+  twist.in_body_axes = readTwistFrame(entry.child(*entry.node().find("frame")), body);
   return twist;
 }
 
 PointDef readPoint(const Entry& entry) {
   const std::vector<Key<PointDef>> keys = {
       {"position", [](const Entry& e, PointDef& p) { p.position = readVector3(e, "m"); }},
-      {"orientation", [](const Entry& e, PointDef& p) { p.orientation = readQuaternion(e); }},
+      {"orientation", [](const Entry& e, PointDef& p) { p.orientation = readOrientation(e); }},
   };
   PointDef point;
   point.name = entry.node().key;
@@ -54,14 +58,33 @@ Color readColor(const Entry& value) {
   return {rgba[0], rgba[1], rgba[2], rgba[3]};
 }
 
+/// A factor, or one for each axis.
+Vector3d readScale(const Entry& value) {
+  if (value.node().kind != YamlNode::Kind::kList)
+    return Vector3d::Constant(readPositive(value, ""));
+  const std::string rule = "must be a number or a list of 3 numbers";
+  const std::vector<Entry> items = value.items(rule);
+  if (items.size() != 3) value.failRule(rule);
+  return {readPositive(items[0], ""), readPositive(items[1], ""), readPositive(items[2], "")};
+}
+
 VisualDef readVisual(const Entry& entry) {
+  const auto readMesh = [](const Entry& e, VisualDef& v) {
+    v.mesh = viewerUrl(readText(e), e.context().directory);
+  };
   const std::vector<Key<VisualDef>> keys = {
-      {"mesh", [](const Entry& e,
-                  VisualDef& v) { v.mesh = viewerUrl(readText(e), e.context().directory); }},
+      {"mesh", readMesh},
+      {"scale", [](const Entry& e, VisualDef& v) { v.scale = readScale(e); }},
+      {"position", [](const Entry& e, VisualDef& v) { v.position = readVector3(e, "m"); }},
+      {"orientation", [](const Entry& e, VisualDef& v) { v.orientation = readOrientation(e); }},
       {"color", [](const Entry& e, VisualDef& v) { v.color = readColor(e); }},
   };
   VisualDef visual;
   readMapping(entry, keys, visual);
+  for (const char* key : {"scale", "position", "orientation"}) {
+    const YamlNode* node = entry.node().find(key);
+    if (node && visual.mesh.empty()) entry.child(*node).failRule("goes with visual.mesh");
+  }
   return visual;
 }
 
@@ -79,9 +102,10 @@ std::string placeOf(const Entry& entry) {
 }  // namespace
 
 BodyDef readBody(const Entry& list_item) {
-  const auto later = [](const Entry&, BodyDef&) {};  // several keys together: readComposition
+  const auto later = [](const Entry&, BodyDef&) {};  // those that depend on others
   const std::vector<Key<BodyDef>> keys = {
       {"name", readBodyName, true},
+      {"frame", [](const Entry& e, BodyDef& b) { b.frame = readFrameName(e); }},
       {"shape", later},
       {"mass", later},
       {"density", later},
@@ -90,9 +114,10 @@ BodyDef readBody(const Entry& list_item) {
       {"parts", later},
       {"particles", later},
       {"urdf", later},
+      {"impossible_inertia", later},
       {"position", [](const Entry& e, BodyDef& b) { b.position = readVector3(e, "m"); }},
-      {"orientation", [](const Entry& e, BodyDef& b) { b.orientation = readQuaternion(e); }},
-      {"twist", [](const Entry& e, BodyDef& b) { b.twist = readTwist(e); }},
+      {"orientation", [](const Entry& e, BodyDef& b) { b.orientation = readOrientation(e); }},
+      {"twist", later},
       {"drag", [](const Entry& e, BodyDef& b) { b.drag = readDrag(e); }},
       {"points", [](const Entry& e, BodyDef& b) { b.points = readPoints(e); }},
       {"fixed", [](const Entry& e, BodyDef& b) { b.fixed = readBoolean(e); }},
@@ -101,7 +126,10 @@ BodyDef readBody(const Entry& list_item) {
   const Entry entry = list_item.as(placeOf(list_item));
   BodyDef body;
   readMapping(entry, keys, body);
+  if (const YamlNode* twist = entry.node().find("twist"))
+    body.twist = readTwist(entry.child(*twist), body);
   readComposition(entry, body);
+  noteSuspicious(entry, body);
   return body;
 }
 

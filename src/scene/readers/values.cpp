@@ -60,6 +60,18 @@ std::optional<double> numberIn(const YamlNode& node) {
   return number;
 }
 
+/// As in URDF: about the fixed axes, roll about x first, then pitch about y, then yaw about z.
+Quaterniond readRollPitchYaw(const Entry& value) {
+  const std::vector<Key<Vector3d>> keys = {
+      {"rpy", [](const Entry& e, Vector3d& v) { v = readVector3(e, "rad"); }, true},
+  };
+  Vector3d rpy = Vector3d::Zero();
+  readMapping(value, keys, rpy);
+  return Eigen::AngleAxisd(rpy[2], Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(rpy[1], Vector3d::UnitY()) *
+         Eigen::AngleAxisd(rpy[0], Vector3d::UnitX());
+}
+
 std::string bracketed(const std::string& unit) { return unit.empty() ? "" : " [" + unit + "]"; }
 
 }  // namespace
@@ -100,6 +112,28 @@ std::string nameRule() {
 std::string readName(const Entry& value) {
   if (value.node().kind != YamlNode::Kind::kScalar || !isName(value.node().text))
     value.failRule(nameRule());
+  return value.node().text;
+}
+
+bool isFrameName(const std::string& text) {
+  if (text.empty() || text.size() > kMostNameBytes || text.front() == '/' || text.back() == '/')
+    return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool in_part = isLetter(c) || isDigit(c) || c == '_' || c == '-' || c == '.';
+    if (!in_part && !(c == '/' && text[i - 1] != '/')) return false;
+  }
+  return true;
+}
+
+std::string frameNameRule() {
+  return "must be a frame name: letters, digits, _, - and ., parts joined by /, at most " +
+         std::to_string(kMostNameBytes) + " bytes";
+}
+
+std::string readFrameName(const Entry& value) {
+  if (value.node().kind != YamlNode::Kind::kScalar || !isFrameName(value.node().text))
+    value.failRule(frameNameRule());
   return value.node().text;
 }
 
@@ -144,11 +178,17 @@ Vector3d readVector3(const Entry& value, const std::string& unit) {
   return {v[0], v[1], v[2]};
 }
 
-Quaterniond readQuaternion(const Entry& value) {
+Quaterniond readOrientation(const Entry& value) {
+  if (value.node().kind == YamlNode::Kind::kMapping) return readRollPitchYaw(value);
   const std::vector<double> q = readNumbers(value, 4, "");
   const Quaterniond quaternion(q[3], q[0], q[1], q[2]);
-  if (!isNearlyUnit(quaternion))
-    value.failRule("must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1");
+  if (!isNearlyUnit(quaternion)) {
+    std::ostringstream norm;
+    norm << quaternion.norm();
+    value.fail(value.key() +
+               " must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1, got " +
+               printable(value.node()) + " of norm " + norm.str());
+  }
   return quaternion.normalized();
 }
 

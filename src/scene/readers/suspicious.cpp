@@ -1,0 +1,55 @@
+#include "scene/readers/suspicious.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace rigid_body_sim {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+void note(const std::string& text, RepeatedNotice& notice) {
+  if (notice.count++ == 0) notice.first = text;
+}
+
+/// A full turn a second, in degrees, is beyond it.
+bool isFast(const Vector3d& w) { return w.norm() > 50 * 2 * kPi; }
+
+/// What small rotations become when w stands first: a turn of more than a right angle about x.
+bool looksLikeWFirst(const Quaterniond& q) { return q.x() * q.x() > 0.51; }
+
+}  // namespace
+
+void noteSuspicious(const Entry& entry, const BodyDef& body) {
+  std::ostringstream text;
+  text.precision(3);
+  if (isFast(body.twist.angular)) {
+    text << "twist.angular is " << body.twist.angular.norm() / (2 * kPi)
+         << " turns/s; its unit is rad/s";
+    const Entry twist = entry.child(*entry.node().find("twist"));
+    note(twist.located(text.str()), entry.context().fast_spin);
+  }
+  if (looksLikeWFirst(body.orientation)) {
+    const double z = (body.orientation * Vector3d::UnitZ()).z();
+    const double tilt = std::acos(std::clamp(z, -1.0, 1.0));
+    text.str("");
+    text << "orientation turns the z axis by " << tilt * 180 / kPi
+         << " degrees; quaternions are [x, y, z, w]";
+    const Entry orientation = entry.child(*entry.node().find("orientation"));
+    note(orientation.located(text.str()), entry.context().flipped);
+  }
+}
+
+std::vector<std::string> suspicions(const ReadContext& context) {
+  std::vector<std::string> notices;
+  for (const RepeatedNotice& notice : {context.fast_spin, context.flipped}) {
+    if (notice.count == 0) continue;
+    const std::size_t others = notice.count - 1;
+    notices.push_back(notice.first +
+                      (others == 0 ? "" : " (and " + std::to_string(others) + " more)"));
+  }
+  return notices;
+}
+
+}  // namespace rigid_body_sim
