@@ -8,9 +8,9 @@ namespace rigid_body_sim {
 /// file within it, however it was made, is read or refused within a few seconds and a gigabyte or
 /// two; doc/robustness.md has the measurements. One more is refused in one line.
 
-constexpr std::size_t kMostSceneBytes = 16 << 20;  ///< of a scene's text
+constexpr std::size_t kMostSceneBytes = 64 << 20;  ///< of a scene's text
 constexpr std::size_t kMostDepth = 32;             ///< of lists and mappings in one another
-constexpr std::size_t kMostBrackets = 2000000;     ///< of the characters [ and { in the text
+constexpr std::size_t kMostValues = 8000000;       ///< numbers, texts, lists and mappings
 constexpr std::size_t kMostTextBytes = 4096;       ///< of one text of a scene, such as a path
 constexpr std::size_t kMostNameBytes = 255;        ///< of the name of a body or point
 constexpr std::size_t kMostBodies = 200000;

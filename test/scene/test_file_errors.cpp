@@ -31,10 +31,10 @@ TEST(SceneFile, IsRefusedWhenADirectory) {
   EXPECT_EQ(loadErrorOf("/"), "/: is a directory, not a scene file");
 }
 
-TEST(SceneFile, IsRefusedWhenLargerThan16MiB) {
+TEST(SceneFile, IsRefusedWhenLargerThan64MiB) {
   const std::string path = testing::TempDir() + "rigid_body_sim_large.yaml";
-  std::ofstream(path) << std::string((16 << 20) + 1, '#');
-  EXPECT_EQ(loadErrorOf(path), path + ": is larger than 16 MiB");
+  std::ofstream(path) << std::string((64 << 20) + 1, '#');
+  EXPECT_EQ(loadErrorOf(path), path + ": is larger than 64 MiB");
   std::filesystem::remove(path);
 }
 
@@ -52,8 +52,28 @@ TEST(SceneText, IsRefusedWhenEmpty) {
 }
 
 TEST(SceneText, IsRefusedWhenNotYaml) {
-  EXPECT_EQ(errorOf("time_step: 0.01\nbodies: [}\n"), "s.yaml:2: not YAML: illegal flow end");
-  EXPECT_EQ(errorOf("a: b: c\n"), "s.yaml:1: not YAML: illegal map value");
+  EXPECT_EQ(errorOf("time_step: 0.01\nbodies: [}\n"),
+            "s.yaml:2: not YAML: did not find expected node content");
+  EXPECT_EQ(errorOf("a: b: c\n"),
+            "s.yaml:1: not YAML: mapping values are not allowed in this context");
+  EXPECT_EQ(errorOf("a: 1\nb: \xff\n"), "s.yaml:2: not YAML: invalid leading UTF-8 octet");
+  EXPECT_EQ(errorOf("a: 1\n\nb: \x01\n"), "s.yaml:3: not YAML: control characters are not allowed");
+}
+
+TEST(SceneText, IsIndentedBySpaces) {
+  const std::string tab = "not YAML: this line is indented by a tab; YAML indents by spaces";
+  EXPECT_EQ(errorOf("time_step: 1\nbodies:\n\t- name: a\n"), "s.yaml:3: " + tab);
+  EXPECT_EQ(errorOf("time_step: 1\nbodies:\n  - name: a\n  \tmass: 1\n"), "s.yaml:4: " + tab);
+  EXPECT_EQ(errorOf("time_step:\t1\nbodies: [{name: a,\tshape: {sphere: {radius: 1}}, mass: 1}]\n"),
+            "");
+}
+
+TEST(SceneText, IsReadWithAByteOrderMarkAndWithEndsOfLinesOfOtherSystems) {
+  EXPECT_EQ(errorOf("\xef\xbb\xbf" + boxScene()), "");
+  std::string other = boxScene("    fixed: yes\n");
+  for (std::size_t at = 0; (at = other.find('\n', at)) != std::string::npos; at += 2)
+    other.insert(at, 1, '\r');
+  EXPECT_EQ(errorOf(other), "s.yaml:6: body 'box': fixed must be true or false, got yes");
 }
 
 TEST(SceneText, IsRefusedWhenNotAMapping) {

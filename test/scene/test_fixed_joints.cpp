@@ -98,7 +98,7 @@ TEST_F(FixedJoints, MakeOneBodyOfTheRootAndWhatHangsOnIt) {
 TEST_F(FixedJoints, MakeOneBodyFromAnyLinkOn) {
   // the same, seen from the hull
   const Isometry3d X_FH =
-      isometry(Quaterniond(Eigen::AngleAxisd(EIGEN_PI / 2, Vector3d::UnitZ())), {0, 0, 0.5});
+      isometry(Quaterniond(Eigen::AngleAxisd(1.5707963267948966, Vector3d::UnitZ())), {0, 0, 0.5});
   const BodyDef body = sceneOf(craft(), "{file: r.urdf, link: hull}").bodies[0];
   EXPECT_TRUE(sameMass(massProperties(body), transformed(X_FH.inverse(), hullAndSensor()), 4e-15));
   EXPECT_THAT(pointsOf(body), ElementsAre("hull", "sensor"));

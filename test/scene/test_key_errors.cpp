@@ -76,6 +76,14 @@ TEST(SceneKeys, SayOnceWhatABodyIsMadeOf) {
             "s.yaml:4: body 'a': shape must name one shape, got 2");
 }
 
+TEST(SceneKeys, AreNotRepeatedHoweverManyThereAre) {
+  std::string points = "    points:\n";
+  for (int i = 0; i < 100; ++i) points += "      p" + std::to_string(i) + ": {}\n";
+  EXPECT_EQ(errorOf(boxScene(points)), "");
+  EXPECT_EQ(errorOf(boxScene(points + "      p7: {}\n")), "s.yaml:107: key 'p7' is repeated");
+  EXPECT_EQ(errorOf(boxScene(points + "      p99: {}\n")), "s.yaml:107: key 'p99' is repeated");
+}
+
 TEST(SceneKeys, TakeAToleranceWithAutoOnly) {
   EXPECT_EQ(errorOf("integrator: rk4\ntolerance: 1e-6\n" + boxScene()),
             "s.yaml:2: tolerance goes with integrator auto only, got integrator rk4");

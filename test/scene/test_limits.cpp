@@ -25,13 +25,14 @@ std::string items(const std::string& key, std::size_t count) {
 }  // namespace
 
 TEST(SceneLimit, IsOneOfBytesForATextToo) {
-  EXPECT_EQ(errorOf(std::string(kMostSceneBytes + 1, '#')), "s.yaml: is larger than 16 MiB");
+  EXPECT_EQ(errorOf(std::string(kMostSceneBytes + 1, '#')), "s.yaml: is larger than 64 MiB");
 }
 
-TEST(SceneLimit, IsOneOfBracketsBeforeTheParserKeepsThem) {
-  EXPECT_EQ(errorOf(std::string(kMostBrackets, '[')), "s.yaml:1: a key must be a word");
-  EXPECT_EQ(errorOf(std::string(kMostBrackets, '[') + "{"),
-            "s.yaml: must hold at most 2000000 brackets [ and {, got 2000001");
+TEST(SceneLimit, IsOneOfValues) {
+  EXPECT_EQ(errorOf("gravity: [" + repeated("1,", kMostValues - 2) + "]"),
+            "s.yaml:1: missing key 'time_step'");
+  EXPECT_EQ(errorOf("gravity:\n- [" + repeated("1,", kMostValues) + "]"),
+            "s.yaml:2: a scene must hold at most 8000000 values");
 }
 
 TEST(SceneLimit, IsOneOfBodies) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <locale.h>
 #include <stdlib.h>
 
+#include "scene/files/classic_locale.hpp"
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
@@ -14,11 +14,6 @@ namespace {
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 bool endsWord(char c) { return isBlank(c) || isLineEnd(c); }
-
-locale_t classicLocale() {
-  static const locale_t classic = newlocale(LC_ALL_MASK, "C", locale_t());
-  return classic;
-}
 
 }  // namespace
 

@@ -1,43 +1,40 @@
 #include "scene/readers/entry.hpp"
 
-#include <algorithm>
-
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 namespace rigid_body_sim {
-
 namespace {
 
-std::string namesOf(const std::vector<std::pair<std::string, bool>>& keys) {
+std::string namesOf(const std::vector<KeyName>& keys) {
   std::string names;
-  for (const auto& key : keys) names += (names.empty() ? "" : ", ") + key.first;
+  for (const KeyName& key : keys) {
+    if (!names.empty()) names += ", ";
+    names += key.name;
+  }
   return names;
 }
 
 }  // namespace
 
 Entry Entry::as(std::string place) const {
-  Entry entry = *this;
+  Entry entry(*context_, *node_);
   entry.place_ = std::move(place);
-  entry.key_.clear();
   return entry;
 }
 
-Entry Entry::child(const YamlNode& node) const {
-  Entry entry = *this;
-  entry.node_ = &node;
-  entry.key_ = key_.empty() ? node.key : key_ + "." + node.key;
+Entry Entry::child(const YamlNode& node) const& {
+  Entry entry(*context_, node);
+  entry.parent_ = this;
   return entry;
 }
 
-std::vector<Entry> Entry::items(const std::string& rule) const {
+std::vector<Entry> Entry::items(const std::string& rule) const& {
   if (node_->kind != YamlNode::Kind::kList) failRule(rule);
   std::vector<Entry> entries;
+  entries.reserve(node_->children.size());
   for (const YamlNode& item : node_->children) {
-    Entry entry = *this;
-    entry.node_ = &item;
-    entry.key_ = key_ + "[" + std::to_string(entries.size()) + "]";
-    entries.push_back(std::move(entry));
+    entries.push_back(child(item));
+    entries.back().item_ = entries.size() - 1;
   }
   return entries;
 }
@@ -45,12 +42,21 @@ std::vector<Entry> Entry::items(const std::string& rule) const {
 void Entry::checkCount(std::size_t most, const std::string& things) const {
   const std::size_t count = node_->children.size();
   if (count > most)
-    fail((key_.empty() ? "" : key_ + " ") + "must hold at most " + std::to_string(most) + " " +
+    fail((key().empty() ? "" : key() + " ") + "must hold at most " + std::to_string(most) + " " +
          things + ", got " + std::to_string(count));
 }
 
+std::string Entry::key() const {
+  if (!parent_) return "";
+  const std::string before = parent_->key();
+  if (item_ != kNoItem) return before + "[" + std::to_string(item_) + "]";
+  return (before.empty() ? "" : before + ".") + std::string(node_->key);
+}
+
+const std::string& Entry::place() const { return parent_ ? parent_->place() : place_; }
+
 void Entry::failRule(const std::string& rule) const {
-  fail((key_.empty() ? "" : key_ + " ") + rule + ", got " + printable(*node_));
+  fail((key().empty() ? "" : key() + " ") + rule + ", got " + printable(*node_));
 }
 
 void Entry::fail(const std::string& message) const {
@@ -59,26 +65,30 @@ void Entry::fail(const std::string& message) const {
 
 std::string Entry::located(const std::string& message) const {
   return context_->source + ":" + std::to_string(node_->line) + ": " +
-         (place_.empty() ? "" : place_ + ": ") + message;
+         (place().empty() ? "" : place() + ": ") + message;
 }
 
-void checkKeys(const Entry& mapping, const std::vector<std::pair<std::string, bool>>& known) {
-  if (mapping.node().kind != YamlNode::Kind::kMapping) {
-    if (mapping.key().empty()) mapping.failRule("a mapping is expected");
-    mapping.fail(mapping.key() + " must be a mapping, got " + printable(mapping.node()) +
-                 " (keys: " + namesOf(known) + ")");
+void Entry::note(const std::string& message) const {
+  context_->notices.push_back(oneLine(located(key() + ": " + message)));
+}
+
+void refuseKeys(const Entry& value, const std::vector<KeyName>& known) {
+  if (value.node().kind != YamlNode::Kind::kMapping) {
+    if (value.key().empty()) value.failRule("a mapping is expected");
+    value.fail(value.key() + " must be a mapping, got " + printable(value.node()) +
+               " (keys: " + namesOf(known) + ")");
   }
-  for (const YamlNode& node : mapping.node().children) {
+  for (const YamlNode& node : value.node().children) {
     const bool is_known = std::any_of(known.begin(), known.end(),
-                                      [&](const auto& key) { return key.first == node.key; });
-    if (is_known) continue;
-    const Entry unknown = mapping.child(node);
-    unknown.fail("unknown key '" + printable(unknown.key()) + "' (known: " + namesOf(known) + ")");
+                                      [&](const KeyName& key) { return key.name == node.key; });
+    const Entry child = value.child(node);
+    if (!is_known)
+      child.fail("unknown key '" + printable(child.key()) + "' (known: " + namesOf(known) + ")");
   }
-  for (const auto& [name, required] : known) {
-    if (!required || mapping.node().find(name)) continue;
-    mapping.fail("missing key '" + (mapping.key().empty() ? name : mapping.key() + "." + name) +
-                 "'");
+  for (const KeyName& key : known) {
+    if (!key.required || value.node().find(key.name)) continue;
+    value.fail("missing key '" + (value.key().empty() ? "" : value.key() + ".") +
+               std::string(key.name) + "'");
   }
 }
 

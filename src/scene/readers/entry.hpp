@@ -1,7 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include <rigid_body_sim/math/types.hpp>
@@ -11,7 +12,9 @@
 
 namespace rigid_body_sim {
 
-/// A value of the file together with all that a message about it has to name.
+/// A value of the file together with all that a message about it has to name. An entry refers to
+/// the one that it was taken from, which must outlive it: what a message says of the way there is
+/// put together only when it is needed.
 class Entry {
  public:
   Entry(ReadContext& context, const YamlNode& node) : context_(&context), node_(&node) {}
@@ -19,20 +22,27 @@ class Entry {
   /// The same value as the root of a part of the file that has a name of its own.
   Entry as(std::string place) const;
 
-  Entry child(const YamlNode& node) const;
+  Entry child(const YamlNode& node) const&;
+  Entry child(const YamlNode& node) const&& = delete;
 
   /// The items of a list; refuses anything else. `rule` says what the list must be.
-  std::vector<Entry> items(const std::string& rule) const;
+  std::vector<Entry> items(const std::string& rule) const&;
+  std::vector<Entry> items(const std::string& rule) const&& = delete;
 
   /// Refuses a list or mapping of more than that many `things`.
   void checkCount(std::size_t most, const std::string& things) const;
 
   const YamlNode& node() const { return *node_; }
-  const std::string& key() const { return key_; }
   ReadContext& context() const { return *context_; }
+
+  /// Within its place, such as "twist.linear".
+  std::string key() const;
 
   /// file:line: place: <message>
   std::string located(const std::string& message) const;
+
+  /// Adds a notice to those of the scene.  file:line: place: key: <message>
+  void note(const std::string& message) const;
 
   /// file:line: place: key <rule>, got <value>
   [[noreturn]] void failRule(const std::string& rule) const;
@@ -41,35 +51,53 @@ class Entry {
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
+  static constexpr std::size_t kNoItem = static_cast<std::size_t>(-1);
+
+  const std::string& place() const;
+
   ReadContext* context_;
   const YamlNode* node_;
-  std::string place_;  ///< such as "body 'top'"
-  std::string key_;    ///< within the place, such as "twist.linear"
+  const Entry* parent_ = nullptr;
+  std::size_t item_ = kNoItem;  ///< its number where the parent is a list
+  std::string place_;           ///< such as "body 'top'"; where there is no parent
 };
 
 /// How a key of a mapping is read into the struct that mirrors the mapping.
 template <class Def>
 struct Key {
-  const char* name;
+  std::string_view name;
   void (*read)(const Entry& value, Def& def);
   bool required = false;
 };
 
-/// Refuses what is not a mapping, keys that are not in `known` and required ones that are absent.
-void checkKeys(const Entry& mapping, const std::vector<std::pair<std::string, bool>>& known);
+struct KeyName {
+  std::string_view name;
+  bool required;
+};
 
-/// Reads a mapping key by key, in the order of the file.
+/// Says what is wrong with a value that is no mapping, has a key that is not known, or lacks one
+/// that is required. A mapping without fault returns.
+void refuseKeys(const Entry& value, const std::vector<KeyName>& known);
+
+/// Reads a mapping key by key, in the order of the file. keys: static, as for many bodies.
 template <class Def>
 void readMapping(const Entry& mapping, const std::vector<Key<Def>>& keys, Def& def) {
-  std::vector<std::pair<std::string, bool>> known;
-  known.reserve(keys.size());
-  for (const Key<Def>& key : keys) known.emplace_back(key.name, key.required);
-  checkKeys(mapping, known);
-  for (const YamlNode& node : mapping.node().children) {
-    for (const Key<Def>& key : keys) {
-      if (node.key == key.name) key.read(mapping.child(node), def);
-    }
+  const auto keyOf = [&](const YamlNode& node) {
+    return std::find_if(keys.begin(), keys.end(),
+                        [&](const Key<Def>& key) { return key.name == node.key; });
+  };
+  const std::vector<YamlNode>& values = mapping.node().children;
+  const bool known = std::all_of(values.begin(), values.end(),
+                                 [&](const YamlNode& value) { return keyOf(value) != keys.end(); });
+  const bool complete = std::all_of(keys.begin(), keys.end(), [&](const Key<Def>& key) {
+    return !key.required || mapping.node().find(key.name);
+  });
+  if (mapping.node().kind != YamlNode::Kind::kMapping || !known || !complete) {
+    std::vector<KeyName> names;
+    for (const Key<Def>& key : keys) names.push_back({key.name, key.required});
+    refuseKeys(mapping, names);
   }
+  for (const YamlNode& value : values) keyOf(value)->read(mapping.child(value), def);
 }
 
 // Values. Each throws SceneError unless the value is what its name says.
@@ -80,14 +108,14 @@ std::string readTextOrNone(const Entry& value);  ///< may be empty
 
 /// A name of a body or point: [A-Za-z][A-Za-z0-9_]*, at most kMostNameBytes long
 std::string readName(const Entry& value);
-bool isName(const std::string& text);
+bool isName(std::string_view text);
 
 /// The same as a message says it.
 std::string nameRule();
 
 /// A name in tf, such as base-link or arm/wrist.
 std::string readFrameName(const Entry& value);
-bool isFrameName(const std::string& text);
+bool isFrameName(std::string_view text);
 std::string frameNameRule();
 
 /// The nearest double; finite. `unit` is for the message; empty: a pure number.

@@ -25,13 +25,14 @@ std::string readWorldFrame(const Entry& value) {
     if (!isName(node.text.substr(first, end == std::string::npos ? end : end - first)))
       value.failRule("must be a frame name [A-Za-z][A-Za-z0-9_]*, parts joined by /");
   }
-  return node.text;
+  return std::string(node.text);
 }
 
 std::vector<BodyDef> readBodies(const Entry& value) {
   const std::string rule = "must be a list of at least one body";
   value.checkCount(kMostBodies, "bodies");
   std::vector<BodyDef> bodies;
+  bodies.reserve(value.node().children.size());
   for (const Entry& item : value.items(rule)) bodies.push_back(readBody(item));
   if (bodies.empty()) value.failRule(rule);
   return bodies;
@@ -80,7 +81,7 @@ void refuseUncountableSteps(const Entry& root, const Scene& scene) {
 
 /// The scene in a text; context: as for the whole file.
 Scene readScene(const std::string& yaml_text, ReadContext context) {
-  const std::vector<Key<Scene>> keys = {
+  static const std::vector<Key<Scene>> keys = {
       {"world_frame", [](const Entry& e, Scene& s) { s.world_frame = readWorldFrame(e); }},
       {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
       {"time_step", [](const Entry& e, Scene& s) { s.time_step = readPositive(e, "s"); }, true},
@@ -99,10 +100,10 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
       {"forces", [](const Entry& e, Scene& s) { s.forces = readForces(e); }},
       {"wrenches", [](const Entry& e, Scene& s) { s.wrenches = readWrenches(e); }},
   };
-  const YamlNode document = parseYaml(yaml_text, context.source);
-  const Entry root(context, document);
+  const YamlDocument document = parseYaml(yaml_text, context.source);
+  const Entry root(context, document.root);
   // bodies may name it, and stand before it
-  if (const YamlNode* node = document.find("world_frame"))
+  if (const YamlNode* node = document.root.find("world_frame"))
     context.world_frame = readWorldFrame(root.child(*node));
   Scene scene;
   scene.source = context.source;

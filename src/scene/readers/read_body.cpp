@@ -8,7 +8,7 @@ namespace {
 
 /// Whether a twist is given in body axes; the names of both frames stand for them, too.
 bool readTwistFrame(const Entry& value, const BodyDef& body) {
-  const std::string& text = value.node().text;
+  const std::string_view text = value.node().text;
   if (text == "world") return false;
   if (text == "body" || text == body.name || text == frameOf(body)) return true;
   if (text == value.context().world_frame) return false;
@@ -16,7 +16,7 @@ bool readTwistFrame(const Entry& value, const BodyDef& body) {
 }
 
 TwistDef readTwist(const Entry& entry, const BodyDef& body) {
-  const std::vector<Key<TwistDef>> keys = {
+  static const std::vector<Key<TwistDef>> keys = {
       {"frame", [](const Entry&, TwistDef&) {}, true},
       {"linear", [](const Entry& e, TwistDef& t) { t.linear = readVector3(e, "m/s"); }},
       {"angular", [](const Entry& e, TwistDef& t) { t.angular = readVector3(e, "rad/s"); }},
@@ -29,12 +29,12 @@ TwistDef readTwist(const Entry& entry, const BodyDef& body) {
 }
 
 PointDef readPoint(const Entry& entry) {
-  const std::vector<Key<PointDef>> keys = {
+  static const std::vector<Key<PointDef>> keys = {
       {"position", [](const Entry& e, PointDef& p) { p.position = readVector3(e, "m"); }},
       {"orientation", [](const Entry& e, PointDef& p) { p.orientation = readOrientation(e); }},
   };
   PointDef point;
-  point.name = entry.node().key;
+  point.name = std::string(entry.node().key);
   point.line = entry.node().line;
   if (!isName(point.name)) entry.fail("points: '" + printable(point.name) + "' " + nameRule());
   readMapping(entry, keys, point);
@@ -72,7 +72,7 @@ VisualDef readVisual(const Entry& entry) {
   const auto readMesh = [](const Entry& e, VisualDef& v) {
     v.mesh = viewerUrl(readText(e), e.context().directory);
   };
-  const std::vector<Key<VisualDef>> keys = {
+  static const std::vector<Key<VisualDef>> keys = {
       {"mesh", readMesh},
       {"scale", [](const Entry& e, VisualDef& v) { v.scale = readScale(e); }},
       {"position", [](const Entry& e, VisualDef& v) { v.position = readVector3(e, "m"); }},
@@ -96,14 +96,14 @@ void readBodyName(const Entry& value, BodyDef& body) {
 /// The body by its name as far as it can be told, else by its place in the list.
 std::string placeOf(const Entry& entry) {
   const YamlNode* name = entry.node().find("name");
-  return name && isName(name->text) ? "body '" + name->text + "'" : entry.key();
+  return name && isName(name->text) ? "body '" + std::string(name->text) + "'" : entry.key();
 }
 
 }  // namespace
 
 BodyDef readBody(const Entry& list_item) {
   const auto later = [](const Entry&, BodyDef&) {};  // those that depend on others
-  const std::vector<Key<BodyDef>> keys = {
+  static const std::vector<Key<BodyDef>> keys = {
       {"name", readBodyName, true},
       {"frame", [](const Entry& e, BodyDef& b) { b.frame = readFrameName(e); }},
       {"shape", later},

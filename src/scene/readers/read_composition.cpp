@@ -15,8 +15,9 @@ void refuse(const Entry& mapping, const std::vector<const char*>& keys, const st
 }
 
 /// As refuse, for keys whose values follow from that of the key `source`.
-void refuseGiven(const Entry& mapping, const std::vector<const char*>& keys, const char* source) {
-  refuse(mapping, keys, std::string("cannot stand beside ") + source + ", which gives it");
+void refuseGiven(const Entry& mapping, const std::vector<const char*>& keys,
+                 std::string_view source) {
+  refuse(mapping, keys, "cannot stand beside " + std::string(source) + ", which gives it");
 }
 
 [[noreturn]] void failMissing(const Entry& mapping, const std::string& what) {
@@ -59,7 +60,7 @@ SolidDef readSolid(const Entry& mapping, const MassKeys& keys) {
 
 Matrix3d readInertia(const Entry& entry) {
   // an entry and its mirror image across the diagonal
-  const std::vector<Key<Matrix3d>> keys = {
+  static const std::vector<Key<Matrix3d>> keys = {
       {"ixx", [](const Entry& e, Matrix3d& I) { I(0, 0) = readNumber(e, "kg m^2"); }, true},
       {"iyy", [](const Entry& e, Matrix3d& I) { I(1, 1) = readNumber(e, "kg m^2"); }, true},
       {"izz", [](const Entry& e, Matrix3d& I) { I(2, 2) = readNumber(e, "kg m^2"); }, true},
@@ -81,16 +82,13 @@ MassProperties readGiven(const Entry& mapping, const MassKeys& keys) {
   MassProperties given = {
       *keys.mass, center ? readVector3(mapping.child(*center), "m") : Vector3d::Zero(), inertia};
   const std::string notice = keys.balance ? balanceInertia(given) : "";
-  if (!notice.empty()) {
-    const Entry where = mapping.child(*mapping.node().find("inertia"));
-    where.context().notices.push_back(where.located(where.key() + ": " + notice));
-  }
+  if (!notice.empty()) mapping.child(*mapping.node().find("inertia")).note(notice);
   return given;
 }
 
 PartDef readPart(const Entry& entry, bool balance) {
   const auto later = [](const Entry&, PartDef&) {};
-  const std::vector<Key<PartDef>> keys = {
+  static const std::vector<Key<PartDef>> keys = {
       {"shape", later},
       {"mass", later},
       {"density", later},
@@ -121,7 +119,7 @@ std::vector<PartDef> readParts(const Entry& entry, bool balance) {
 }
 
 Particle readParticle(const Entry& entry) {
-  const std::vector<Key<Particle>> keys = {
+  static const std::vector<Key<Particle>> keys = {
       {"mass", [](const Entry& e, Particle& p) { p.mass = readPositive(e, "kg"); }, true},
       {"position", [](const Entry& e, Particle& p) { p.position = readVector3(e, "m"); }, true},
   };
@@ -145,7 +143,7 @@ const YamlNode& compositionKey(const Entry& body) {
   for (const char* key : {"shape", "parts", "particles", "urdf", "inertia"}) {
     const YamlNode* node = body.node().find(key);
     if (node && found && node->key != "inertia")
-      body.child(*node).failRule("cannot stand beside " + found->key +
+      body.child(*node).failRule("cannot stand beside " + std::string(found->key) +
                                  ", as a body is made of one of them");
     if (!found) found = node;
   }
@@ -162,7 +160,7 @@ CompositionDef compositionOf(const Entry& entry, const YamlNode& key, const Mass
   if (key.key == "shape" || key.key == "particles")
     refuse(entry, {"impossible_inertia"}, "goes with inertia, parts or urdf");
   if (key.key == "shape") return readSolid(entry, mass);
-  refuseGiven(entry, {"inertia", "center_of_mass", "mass", "density"}, key.key.c_str());
+  refuseGiven(entry, {"inertia", "center_of_mass", "mass", "density"}, key.key);
   const Entry value = entry.child(key);
   if (key.key == "parts") return readParts(value, mass.balance);
   if (key.key == "particles") return readParticles(value);

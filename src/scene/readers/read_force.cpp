@@ -4,7 +4,7 @@ namespace rigid_body_sim {
 namespace {
 
 SpringEndDef readEnd(const Entry& entry) {
-  const std::vector<Key<SpringEndDef>> keys = {
+  static const std::vector<Key<SpringEndDef>> keys = {
       {"body", [](const Entry& e, SpringEndDef& s) { s.body = readText(e); }},
       {"point", [](const Entry& e, SpringEndDef& s) { s.point = readVector3(e, "m"); }},
       {"world", [](const Entry& e, SpringEndDef& s) { s.point = readVector3(e, "m"); }},
@@ -20,7 +20,7 @@ SpringEndDef readEnd(const Entry& entry) {
 }
 
 SpringDef readSpring(const Entry& entry) {
-  const std::vector<Key<SpringDef>> keys = {
+  static const std::vector<Key<SpringDef>> keys = {
       {"type", [](const Entry&, SpringDef&) {}, true},
       {"from", [](const Entry& e, SpringDef& s) { s.from = readEnd(e); }, true},
       {"to", [](const Entry& e, SpringDef& s) { s.to = readEnd(e); }, true},
@@ -36,7 +36,7 @@ SpringDef readSpring(const Entry& entry) {
 }
 
 CentralGravityDef readCentralGravity(const Entry& entry) {
-  const std::vector<Key<CentralGravityDef>> keys = {
+  static const std::vector<Key<CentralGravityDef>> keys = {
       {"type", [](const Entry&, CentralGravityDef&) {}, true},
       {"center", [](const Entry& e, CentralGravityDef& g) { g.center = readVector3(e, "m"); }},
       {"mu", [](const Entry& e, CentralGravityDef& g) { g.mu = readPositive(e, "m^3/s^2"); }, true},
@@ -78,7 +78,7 @@ ForceDef readForce(const Entry& list_item) {
 }
 
 Drag::Coefficients readDrag(const Entry& entry) {
-  const std::vector<Key<Drag::Coefficients>> keys = {
+  static const std::vector<Key<Drag::Coefficients>> keys = {
       {"linear",
        [](const Entry& e, Drag::Coefficients& d) { d.linear = readNotNegative(e, "N s/m"); }},
       {"quadratic", [](const Entry& e,

@@ -18,7 +18,7 @@ struct LinkKeys {
 };
 
 LinkKeys readLinkKeys(const Entry& entry) {
-  const std::vector<Key<LinkKeys>> keys = {
+  static const std::vector<Key<LinkKeys>> keys = {
       {"file", [](const Entry& e, LinkKeys& k) { k.file = readFileReference(e); }, true},
       {"link", [](const Entry& e, LinkKeys& k) { k.link = readText(e); }},
       {"fixed_joints", [](const Entry& e, LinkKeys& k) { k.fixed_joints = readBoolean(e); }},
@@ -35,8 +35,7 @@ const UrdfRobot& robotOf(const Entry& file, const std::string& path) {
   if (known != context.robots.end()) return known->second;
   try {
     UrdfRobot robot = readUrdf(path);
-    for (const std::string& notice : robot.notices)
-      context.notices.push_back(file.located(file.key() + ": " + path + ": " + notice));
+    for (const std::string& notice : robot.notices) file.note(path + ": " + notice);
     return context.robots[path] = std::move(robot);
   } catch (const std::runtime_error& e) {
     file.fail(file.key() + ": " + e.what());
@@ -63,12 +62,12 @@ std::vector<MassProperties> massesOf(const Entry& entry, const std::vector<Place
   for (const PlacedLink& placed : links) {
     if (!placed.link->mass) continue;
     MassProperties mass = *placed.link->mass;
-    const std::string where = entry.key() + ": link '" + printable(placed.link->name) + "': ";
+    const std::string where = "link '" + printable(placed.link->name) + "': ";
     const std::string notice = balance ? balanceInertia(mass) : "";
-    if (!notice.empty()) entry.context().notices.push_back(entry.located(where + notice));
+    if (!notice.empty()) entry.note(where + notice);
     // of a body of one link, checkScene says the same
     const std::string fault = links.size() > 1 ? partMassFault(mass) : "";
-    if (!fault.empty()) entry.fail(where + fault);
+    if (!fault.empty()) entry.fail(entry.key() + ": " + where + fault);
     masses.push_back(transformed(placed.X_BL, mass));
   }
   return masses;
@@ -93,9 +92,7 @@ std::vector<PointDef> pointsOf(const Entry& entry, const std::vector<PlacedLink>
       points.push_back(
           {name, placed.X_BL.translation(), Quaterniond(placed.X_BL.linear()), entry.node().line});
     else
-      entry.context().notices.push_back(entry.located(entry.key() + ": link '" + printable(name) +
-                                                      "' becomes no frame: its name " +
-                                                      frameNameRule()));
+      entry.note("link '" + printable(name) + "' becomes no frame: its name " + frameNameRule());
   }
   return points;
 }

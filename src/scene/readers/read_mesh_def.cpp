@@ -33,8 +33,7 @@ const MeshDef& solidOf(const Entry& file, const MeshEntry& mesh) {
   try {
     std::vector<std::string> notices;
     const MeshDef def = readSolidMesh(path, mesh.scale, mesh.solid, notices);
-    for (const std::string& notice : notices)
-      context.notices.push_back(file.located(file.key() + ": " + notice));
+    for (const std::string& notice : notices) file.note(notice);
     return context.meshes[key] = def;
   } catch (const std::runtime_error& e) {
     file.fail(file.key() + ": " + e.what());
@@ -52,7 +51,7 @@ Vector3d readMeshScale(const Entry& value) {
 }
 
 MeshDef readMeshDef(const Entry& entry) {
-  const std::vector<Key<MeshEntry>> keys = {
+  static const std::vector<Key<MeshEntry>> keys = {
       {"file", [](const Entry& e, MeshEntry& m) { m.file = readFileReference(e); }, true},
       {"scale", [](const Entry& e, MeshEntry& m) { m.scale = readMeshScale(e); }},
       {"solid", [](const Entry& e, MeshEntry& m) { m.solid = readMeshSolid(e); }},

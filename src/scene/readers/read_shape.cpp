@@ -12,7 +12,7 @@ Vector3d readSize(const Entry& value) {
 }
 
 Shape readSphere(const Entry& value) {
-  const std::vector<Key<Sphere>> keys = {
+  static const std::vector<Key<Sphere>> keys = {
       {"radius", [](const Entry& e, Sphere& s) { s.radius = readPositive(e, "m"); }, true},
   };
   Sphere sphere{};
@@ -21,7 +21,7 @@ Shape readSphere(const Entry& value) {
 }
 
 Shape readCapsule(const Entry& value) {
-  const std::vector<Key<Capsule>> keys = {
+  static const std::vector<Key<Capsule>> keys = {
       {"radius", [](const Entry& e, Capsule& c) { c.radius = readPositive(e, "m"); }, true},
       {"length", [](const Entry& e, Capsule& c) { c.length = readNotNegative(e, "m"); }, true},
   };
@@ -33,7 +33,7 @@ Shape readCapsule(const Entry& value) {
 /// A solid of revolution with a radius and a length.
 template <class Solid>
 Shape readRound(const Entry& value) {
-  const std::vector<Key<Solid>> keys = {
+  static const std::vector<Key<Solid>> keys = {
       {"radius", [](const Entry& e, Solid& s) { s.radius = readPositive(e, "m"); }, true},
       {"length", [](const Entry& e, Solid& s) { s.length = readPositive(e, "m"); }, true},
   };
@@ -46,7 +46,7 @@ Shape readRound(const Entry& value) {
 
 SolidGeometry readGeometry(const Entry& entry) {
   using Geometry = SolidGeometry;
-  const std::vector<Key<Geometry>> keys = {
+  static const std::vector<Key<Geometry>> keys = {
       {"box", [](const Entry& e, Geometry& g) { g = Box{readSize(e)}; }},
       {"sphere", [](const Entry& e, Geometry& g) { g = readSphere(e); }},
       {"cylinder", [](const Entry& e, Geometry& g) { g = readRound<Cylinder>(e); }},

@@ -3,7 +3,7 @@
 namespace rigid_body_sim {
 
 WrenchDef readWrench(const Entry& list_item) {
-  const std::vector<Key<WrenchDef>> keys = {
+  static const std::vector<Key<WrenchDef>> keys = {
       {"body", [](const Entry& e, WrenchDef& w) { w.body = readText(e); }, true},
       {"point", [](const Entry& e, WrenchDef& w) { w.point = readVector3(e, "m"); }},
       {"point_frame", [](const Entry& e, WrenchDef& w) { w.point_frame = readTextOrNone(e); }},

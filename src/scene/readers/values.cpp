@@ -1,11 +1,13 @@
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <optional>
 #include <sstream>
 
+#include <stdlib.h>
+
 #include <rigid_body_sim/math/rotation.hpp>
 
+#include "scene/files/classic_locale.hpp"
 #include "scene/limits.hpp"
 #include "scene/readers/entry.hpp"
 
@@ -16,7 +18,7 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 /// Whether the text is a decimal number: [-+]?(d+(.d*)?|.d+)([eE][-+]?d+)?
-bool isDecimal(const std::string& text) {
+bool isDecimal(std::string_view text) {
   std::size_t i = 0;
   const auto skipSign = [&] { i += i < text.size() && (text[i] == '+' || text[i] == '-'); };
   const auto skipDigits = [&] {
@@ -45,24 +47,20 @@ std::optional<double> numberIn(const YamlNode& node) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   const bool negative = !node.text.empty() && node.text[0] == '-';
   const bool has_sign = negative || (!node.text.empty() && node.text[0] == '+');
-  const std::string magnitude = node.text.substr(has_sign ? 1 : 0);
+  const std::string_view magnitude = node.text.substr(has_sign ? 1 : 0);
   if (magnitude == ".inf" || magnitude == ".Inf" || magnitude == ".INF")
     return negative ? -kInf : kInf;
   if (node.text == ".nan" || node.text == ".NaN" || node.text == ".NAN")
     return std::numeric_limits<double>::quiet_NaN();
   if (!isDecimal(node.text)) return std::nullopt;
 
-  // a decimal that does not fit into a double fails to convert: it counts as infinite
-  std::istringstream stream(node.text);
-  stream.imbue(std::locale::classic());
-  double number = 0;
-  if (!(stream >> number)) return negative ? -kInf : kInf;
-  return number;
+  // infinite where it does not fit into a double
+  return strtod_l(node.text.data(), nullptr, classicLocale());
 }
 
 /// As in URDF: about the fixed axes, roll about x first, then pitch about y, then yaw about z.
 Quaterniond readRollPitchYaw(const Entry& value) {
-  const std::vector<Key<Vector3d>> keys = {
+  static const std::vector<Key<Vector3d>> keys = {
       {"rpy", [](const Entry& e, Vector3d& v) { v = readVector3(e, "rad"); }, true},
   };
   Vector3d rpy = Vector3d::Zero();
@@ -87,7 +85,7 @@ bool readBoolean(const Entry& value) {
 std::string readText(const Entry& value) {
   if (value.node().kind != YamlNode::Kind::kScalar || value.node().text.empty())
     value.failRule("must be a text");
-  return value.node().text;
+  return std::string(value.node().text);
 }
 
 std::string readTextOrNone(const Entry& value) {
@@ -96,7 +94,7 @@ std::string readTextOrNone(const Entry& value) {
   return none ? std::string() : readText(value);
 }
 
-bool isName(const std::string& text) {
+bool isName(std::string_view text) {
   if (text.empty() || text.size() > kMostNameBytes || !isLetter(text[0])) return false;
   for (const char c : text) {
     if (!isLetter(c) && !isDigit(c) && c != '_') return false;
@@ -112,10 +110,10 @@ std::string nameRule() {
 std::string readName(const Entry& value) {
   if (value.node().kind != YamlNode::Kind::kScalar || !isName(value.node().text))
     value.failRule(nameRule());
-  return value.node().text;
+  return std::string(value.node().text);
 }
 
-bool isFrameName(const std::string& text) {
+bool isFrameName(std::string_view text) {
   if (text.empty() || text.size() > kMostNameBytes || text.front() == '/' || text.back() == '/')
     return false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -134,7 +132,7 @@ std::string frameNameRule() {
 std::string readFrameName(const Entry& value) {
   if (value.node().kind != YamlNode::Kind::kScalar || !isFrameName(value.node().text))
     value.failRule(frameNameRule());
-  return value.node().text;
+  return std::string(value.node().text);
 }
 
 double readNumber(const Entry& value, const std::string& unit) {

@@ -1,77 +1,63 @@
 #include "scene/readers/yaml_tree.hpp"
 
 #include <algorithm>
-#include <set>
-#include <sstream>
-
-#include <yaml-cpp/eventhandler.h>
-#include <yaml-cpp/exceptions.h>
-#include <yaml-cpp/parser.h>
+#include <unordered_set>
+#include <utility>
 
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 #include "scene/limits.hpp"
+#include "scene/readers/yaml_events.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-/// Builds the tree while yaml-cpp parses, so that excess depth and aliases are refused before they
-/// cost anything.
-class TreeBuilder final : public YAML::EventHandler {
+/// Builds the tree while the parser reads, so that excess is refused before it costs anything.
+class TreeBuilder {
  public:
   explicit TreeBuilder(const std::string& source) : source_(source) {}
 
-  YamlNode takeRoot() { return std::move(root_); }
-
-  void OnDocumentStart(const YAML::Mark& mark) override {
-    if (++documents_ > 1) fail(mark, "a second YAML document; a scene file holds one");
-  }
-  void OnDocumentEnd() override {}
-
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    add(YamlNode::Kind::kEmpty, mark, "", anchor);
-  }
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { failOnAnchor(mark); }
-
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                const std::string& value) override {
-    checkLength(mark, value);
-    if (expectsKey()) {
-      refuseDecorations(mark, tag, anchor);
-      return takeKey(mark, value);
+  void take(const YamlEvent& event) {
+    switch (event.type) {
+      case YAML_DOCUMENT_START_EVENT:
+        if (++documents_ > 1) fail(event, "a second YAML document; a scene file holds one");
+        return;
+      case YAML_ALIAS_EVENT:
+        failOnAnchor(event);
+      case YAML_SCALAR_EVENT:
+        return takeScalar(event);
+      case YAML_SEQUENCE_START_EVENT:
+        return open(add(YamlNode::Kind::kList, event), event);
+      case YAML_MAPPING_START_EVENT:
+        return open(add(YamlNode::Kind::kMapping, event), event);
+      case YAML_SEQUENCE_END_EVENT:
+      case YAML_MAPPING_END_EVENT:
+        return open_.pop_back();
+      default:
+        return;  // starts and ends of the stream, ends of documents
     }
-    YamlNode& node = add(YamlNode::Kind::kScalar, mark, tag, anchor);
-    node.text = value;
-    node.quoted = tag == "!";
   }
 
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value) override {
-    open(add(YamlNode::Kind::kList, mark, tag, anchor), mark);
+  YamlDocument finish() {
+    if (documents_ == 0) throw SceneError(source_, 0, "is empty; a scene is a YAML mapping");
+    return std::move(document_);
   }
-  void OnSequenceEnd() override { open_.pop_back(); }
-
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value) override {
-    open(add(YamlNode::Kind::kMapping, mark, tag, anchor), mark);
-  }
-  void OnMapEnd() override { open_.pop_back(); }
 
  private:
   /// A list or mapping whose end is still to come.
   struct Open {
     YamlNode* node;
     bool has_key = false;  ///< a key waits for its value
-    std::string key;
+    std::string_view key;
     int key_line = 0;
-    std::set<std::string> keys;
+    std::unordered_set<std::string_view> keys;  ///< of a mapping of many, else empty
   };
 
-  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& message) const {
-    throw SceneError(source_, mark.line + 1, message);
+  [[noreturn]] void fail(const YamlEvent& event, const std::string& message) const {
+    throw SceneError(source_, event.line, message);
   }
-  [[noreturn]] void failOnAnchor(const YAML::Mark& mark) const {
-    fail(mark, "YAML anchors (&) and aliases (*) are not allowed in a scene");
+  [[noreturn]] void failOnAnchor(const YamlEvent& event) const {
+    fail(event, "YAML anchors (&) and aliases (*) are not allowed in a scene");
   }
 
   bool expectsKey() const {
@@ -79,104 +65,108 @@ class TreeBuilder final : public YAML::EventHandler {
            !open_.back().has_key;
   }
 
-  // yaml-cpp marks a plain value without a tag by "?", a quoted one by "!"
-  void refuseDecorations(const YAML::Mark& mark, const std::string& tag,
-                         YAML::anchor_t anchor) const {
-    if (anchor != YAML::NullAnchor) failOnAnchor(mark);
-    if (!tag.empty() && tag != "?" && tag != "!")
-      fail(mark, "YAML tags are not allowed in a scene, got " + printable(tag));
+  void refuseDecorations(const YamlEvent& event) const {
+    if (event.has_anchor) failOnAnchor(event);
+    if (!event.tag.empty())
+      fail(event, "YAML tags are not allowed in a scene, got " + printable(std::string(event.tag)));
   }
 
-  void checkLength(const YAML::Mark& mark, const std::string& text) const {
-    if (text.size() > kMostTextBytes)
-      fail(mark, "a text must have at most " + std::to_string(kMostTextBytes) + " bytes, got " +
-                     std::to_string(text.size()));
+  void takeScalar(const YamlEvent& event) {
+    if (event.text.size() > kMostTextBytes)
+      fail(event, "a text must have at most " + std::to_string(kMostTextBytes) + " bytes, got " +
+                      std::to_string(event.text.size()));
+    if (expectsKey() && !event.isNull()) return takeKey(event);
+    YamlNode& node = add(event.isNull() ? YamlNode::Kind::kEmpty : YamlNode::Kind::kScalar, event);
+    if (event.isNull()) return;
+    node.text = document_.texts.add(event.text);
+    node.quoted = event.quoted;
   }
 
-  void takeKey(const YAML::Mark& mark, const std::string& key) {
+  void takeKey(const YamlEvent& event) {
+    refuseDecorations(event);
     Open& mapping = open_.back();
-    if (!mapping.keys.insert(key).second) fail(mark, "key '" + printable(key) + "' is repeated");
+    mapping.key = document_.texts.add(event.text);
+    if (isRepeated(mapping))
+      fail(event, "key '" + printable(std::string(event.text)) + "' is repeated");
     mapping.has_key = true;
-    mapping.key = key;
-    mapping.key_line = mark.line + 1;
+    mapping.key_line = event.line;
   }
 
-  YamlNode& add(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag,
-                YAML::anchor_t anchor) {
-    refuseDecorations(mark, tag, anchor);
-    if (expectsKey()) fail(mark, "a key must be a word");
-    YamlNode node;
+  /// Whether the mapping has its new key already. Few keys are compared one by one, many by a
+  /// table.
+  static bool isRepeated(Open& mapping) {
+    constexpr std::size_t kFew = 32;
+    const std::vector<YamlNode>& values = mapping.node->children;
+    if (values.size() < kFew) return mapping.node->find(mapping.key) != nullptr;
+    if (mapping.keys.empty())
+      for (const YamlNode& value : values) mapping.keys.insert(value.key);
+    return !mapping.keys.insert(mapping.key).second;
+  }
+
+  YamlNode& add(YamlNode::Kind kind, const YamlEvent& event) {
+    refuseDecorations(event);
+    if (expectsKey()) fail(event, "a key must be a word");
+    if (++nodes_ > kMostValues)
+      fail(event, "a scene must hold at most " + std::to_string(kMostValues) + " values");
+    YamlNode& node = open_.empty() ? document_.root : open_.back().node->children.emplace_back();
     node.kind = kind;
-    node.line = mark.line + 1;
-    if (open_.empty()) {
-      root_ = std::move(node);
-      return root_;
-    }
-    Open& parent = open_.back();
-    if (parent.has_key) {
-      node.key = parent.key;
-      node.line = parent.key_line;
-      parent.has_key = false;
-    }
-    parent.node->children.push_back(std::move(node));
-    return parent.node->children.back();
+    node.line = event.line;
+    if (open_.empty() || !open_.back().has_key) return node;
+    node.key = open_.back().key;
+    node.line = open_.back().key_line;
+    open_.back().has_key = false;
+    return node;
   }
 
-  void open(YamlNode& node, const YAML::Mark& mark) {
+  void open(YamlNode& node, const YamlEvent& event) {
     if (open_.size() >= kMostDepth)
-      fail(mark, "nested deeper than " + std::to_string(kMostDepth) + " levels");
-    open_.push_back({&node, false, "", 0, {}});
+      fail(event, "nested deeper than " + std::to_string(kMostDepth) + " levels");
+    open_.push_back({&node, false, {}, 0, {}});
   }
 
   const std::string& source_;
-  YamlNode root_;
+  YamlDocument document_;
   std::vector<Open> open_;
   int documents_ = 0;
+  std::size_t nodes_ = 0;
 };
-
-/// What has to be refused before yaml-cpp sees it: it keeps every bracket that is not closed yet as
-/// the possible start of a key, 240 bytes each.
-void checkSize(const std::string& yaml_text, const std::string& source) {
-  if (yaml_text.size() > kMostSceneBytes)
-    throw SceneError(source, 0, "is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
-  const auto brackets = static_cast<std::size_t>(std::count_if(
-      yaml_text.begin(), yaml_text.end(), [](char c) { return c == '[' || c == '{'; }));
-  if (brackets > kMostBrackets)
-    throw SceneError(source, 0,
-                     "must hold at most " + std::to_string(kMostBrackets) +
-                         " brackets [ and {, got " + std::to_string(brackets));
-}
 
 }  // namespace
 
-const YamlNode* YamlNode::find(const std::string& name) const {
+const YamlNode* YamlNode::find(std::string_view name) const {
   const auto child = std::find_if(children.begin(), children.end(),
                                   [&](const YamlNode& c) { return c.key == name; });
   return child == children.end() ? nullptr : &*child;
 }
 
-YamlNode parseYaml(const std::string& yaml_text, const std::string& source_name) {
-  checkSize(yaml_text, source_name);
-  TreeBuilder builder(source_name);
-  std::istringstream stream(yaml_text);
-  try {
-    YAML::Parser parser(stream);
-    if (!parser.HandleNextDocument(builder))
-      throw SceneError(source_name, 0, "is empty; a scene is a YAML mapping");
-    while (parser.HandleNextDocument(builder)) {
-    }
-  } catch (const YAML::Exception& e) {
-    throw SceneError(source_name, e.mark.line + 1, "not YAML: " + printable(e.msg));
+std::string_view TextStore::add(std::string_view text) {
+  constexpr std::size_t kBlockBytes = 1 << 16;
+  if (blocks_.empty() || blocks_.back().capacity() - blocks_.back().size() < text.size() + 1) {
+    blocks_.emplace_back();
+    blocks_.back().reserve(std::max(kBlockBytes, text.size() + 1));
   }
-  return builder.takeRoot();
+  std::string& block = blocks_.back();
+  const std::size_t at = block.size();
+  block.append(text).push_back('\0');
+  return {block.data() + at, text.size()};
+}
+
+YamlDocument parseYaml(const std::string& yaml_text, const std::string& source_name) {
+  if (yaml_text.size() > kMostSceneBytes)
+    throw SceneError(source_name, 0,
+                     "is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
+  TreeBuilder builder(source_name);
+  readYamlEvents(yaml_text, source_name, [&](const YamlEvent& event) { builder.take(event); });
+  return builder.finish();
 }
 
 std::string printable(const YamlNode& node) {
+  const std::string text = printable(std::string(node.text));
   switch (node.kind) {
     case YamlNode::Kind::kEmpty:
       return "nothing";
     case YamlNode::Kind::kScalar:
-      return node.quoted ? "\"" + printable(node.text) + "\"" : printable(node.text);
+      return node.quoted ? "\"" + text + "\"" : text;
     case YamlNode::Kind::kMapping:
       return "a mapping";
     case YamlNode::Kind::kList:
