@@ -101,7 +101,7 @@ TEST(SceneSpring, JoinsTwoThings) {
   EXPECT_EQ(endsError("{body: box}", "{body: box, point: [0, 0, 1]}"),
             kAt + "from and to must not be on one body, 'box'");
   EXPECT_EQ(endsError("{body: bx}", "{world: [0, 0, 1]}"),
-            kAt + "from.body must be one of box, ball, table, got 'bx'");
+            kAt + "from.body must be one of box, ball, table, got 'bx'; did you mean 'box'?");
   const std::string rule =
       " must be {body: name, point: [x, y, z]} or {world: [x, y, z]}, got a mapping";
   EXPECT_EQ(endsError("{body: box, world: [0, 0, 1]}", "{body: ball}"), kAt + "from" + rule);

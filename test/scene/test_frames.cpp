@@ -145,7 +145,7 @@ TEST_F(Frames, TakesThePointInTheBodyUnlessToldOtherwise) {
 TEST_F(Frames, RefusesAWrenchThatNamesWhatIsNotThere) {
   WrenchDef wrench = wrenchIn("map");
   wrench.body = "bax";
-  EXPECT_EQ(faultOf(wrench), "unknown body 'bax' (known: box, ball, stand)");
+  EXPECT_EQ(faultOf(wrench), "unknown body 'bax' (known: box, ball, stand); did you mean 'box'?");
   wrench.body = "stand";
   EXPECT_EQ(faultOf(wrench), "body 'stand' is fixed, no wrench can move it");
   wrench = wrenchIn("");
@@ -154,7 +154,8 @@ TEST_F(Frames, RefusesAWrenchThatNamesWhatIsNotThere) {
   wrench = wrenchIn("box");
   wrench.point_frame = "box/tap";
   EXPECT_EQ(faultOf(wrench),
-            "unknown point_frame 'box/tap' (known: map, box, box/tip, ball, stand, stand/hook)");
+            "unknown point_frame 'box/tap' (known: map, box, box/tip, ball, stand, stand/hook); did "
+            "you mean 'box/tip'?");
 }
 
 TEST_F(Frames, RefusesAWrenchOfBadNumbers) {
@@ -196,7 +197,7 @@ TEST_F(Frames, RefusesAWrenchThatIsFiniteInItsOwnFrameOnly) {
 
 TEST(SceneWrench, IsRefusedWithItsLineWhenItNamesWhatIsNotThere) {
   EXPECT_EQ(errorOf(boxScene("wrenches:\n  - {body: bax, frame: box, duration: 1}\n")),
-            "s.yaml:7: wrenches[0]: unknown body 'bax' (known: box)");
+            "s.yaml:7: wrenches[0]: unknown body 'bax' (known: box); did you mean 'box'?");
   EXPECT_EQ(errorOf(boxScene("wrenches:\n  - {body: box, frame: map, duration: 1}\n")),
             "s.yaml:7: wrenches[0]: unknown frame 'map' (known: world, box)");
   EXPECT_EQ(errorOf(boxScene("wrenches:\n  - {body: \"a\\nb\", frame: map, duration: 1}\n")),

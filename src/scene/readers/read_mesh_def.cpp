@@ -15,7 +15,7 @@ struct MeshEntry {
 };
 
 MeshSolid readMeshSolid(const Entry& value) {
-  const std::string& name = value.node().text;
+  const std::string_view name = value.node().text;
   if (name == "surface") return MeshSolid::kSurface;
   if (name == "hull") return MeshSolid::kHull;
   if (name == "box") return MeshSolid::kBox;

@@ -30,14 +30,15 @@ void noteSuspicious(const Entry& entry, const BodyDef& body) {
     const Entry twist = entry.child(*entry.node().find("twist"));
     note(twist.located(text.str()), entry.context().fast_spin);
   }
-  if (looksLikeWFirst(body.orientation)) {
+  const YamlNode* orientation = entry.node().find("orientation");
+  const bool is_quaternion = orientation && orientation->kind == YamlNode::Kind::kList;
+  if (is_quaternion && looksLikeWFirst(body.orientation)) {
     const double z = (body.orientation * Vector3d::UnitZ()).z();
     const double tilt = std::acos(std::clamp(z, -1.0, 1.0));
     text.str("");
     text << "orientation turns the z axis by " << tilt * 180 / kPi
          << " degrees; quaternions are [x, y, z, w]";
-    const Entry orientation = entry.child(*entry.node().find("orientation"));
-    note(orientation.located(text.str()), entry.context().flipped);
+    note(entry.child(*orientation).located(text.str()), entry.context().flipped);
   }
 }
 
