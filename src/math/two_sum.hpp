@@ -6,7 +6,7 @@ namespace rigid_body_sim {
 /// T: double or an Eigen matrix of fixed size, coefficient by coefficient.
 /// Source: Knuth, TAOCP 2, 4.2.2, theorem B.
 template <class T>
-T twoSum(const T& a, const T& b, T& rounded_away) {
+inline T twoSum(const T& a, const T& b, T& rounded_away) {
   const T sum = a + b;
   const T kept = sum - a;
   rounded_away = (a - (sum - kept)) + (b - kept);

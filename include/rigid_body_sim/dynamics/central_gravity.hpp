@@ -29,6 +29,8 @@ class CentralGravity final : public ForceLaw {
   /// √(mu/r³), that of a circular orbit; with the gradient √3 times that, at which a rod swings.
   double rate(const Bodies& at, const std::vector<double>& speeds) const override;
 
+  bool hasRate() const override { return true; }
+
   /// The distance from the centre.
   double reach(const Bodies& at) const override { return radius(at.states[body_]).norm(); }
 

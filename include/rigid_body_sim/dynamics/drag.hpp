@@ -36,6 +36,7 @@ class Drag final : public ForceLaw {
   /// (linear + 2 quadratic |v|)/m at the given speed, where drag is quadratic.
   double rate(const Bodies& at, const std::vector<double>& speeds) const override;
 
+  bool hasRate() const override { return coefficients_.quadratic != 0; }
   bool rateGrowsWithSpeed() const override { return coefficients_.quadratic != 0; }
 
   bool hasFlow() const override { return true; }

@@ -71,6 +71,9 @@ class ForceLaw {
     return 0;
   }
 
+  /// Whether rate() may be above zero.
+  virtual bool hasRate() const { return false; }
+
   /// Whether rate() depends on the speeds.
   virtual bool rateGrowsWithSpeed() const { return false; }
 

@@ -90,7 +90,8 @@ void Drag::kick(const Body& body, const Wrench& wrench, double h, BodyState& sta
   state.p_W = coefficients_.quadratic > 0
                   ? relaxedQuadratic(coefficients_, body.mass, state.p_W, wrench.f_W, h)
                   : relaxed(state.p_W, wrench.f_W, coefficients_.linear / body.mass, h);
-  const Vector3d tau_P = rotateBack(state.q_WP, wrench.tau_W) + wrench.tau_P;
+  Vector3d tau_P = wrench.tau_P;
+  if (!wrench.tau_W.isZero(0)) tau_P += rotateBack(state.q_WP, wrench.tau_W);
   const Vector3d rate = coefficients_.angular * body.inv_I;
   Vector3d gain_P;
   for (int i = 0; i < 3; ++i) {

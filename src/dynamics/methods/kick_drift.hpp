@@ -37,6 +37,15 @@ constexpr KickDriftKick<kSteps> composition(const std::array<double, kSteps>& ga
 /// Impulses of the wrenches over h, and what laws with a flow do meanwhile.
 inline void kickAll(const System& system, double h, const std::vector<Wrench>& wrenches,
                     std::vector<BodyState>& bodies) {
+  if (system.torque_free) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      BodyState& s = bodies[i];
+      s.p_W += h * wrenches[i].f_W;
+      s.L_W.array() += h * 0.0;  // for a zero its sign, as where torques are added
+      s.L_P.array() += h * 0.0;
+    }
+    return;
+  }
   if (system.flow_of.empty()) {
     for (std::size_t i = 0; i < bodies.size(); ++i)
       kick(wrenches[i].f_W, wrenches[i].tau_W, wrenches[i].tau_P, h, bodies[i]);

@@ -28,6 +28,7 @@ struct System {
   ForceLaws flows;                       ///< laws with a flow
   std::vector<const ForceLaw*> flow_of;  ///< that on each body or null; empty where there is none
   std::vector<StatefulLaw> stateful_laws;
+  bool torque_free = false;        ///< whether nothing that acts exerts a torque
   bool law_states_change = false;  ///< with time, not only from mode to mode
   bool has_events = false;         ///< whether any law has guards
 };

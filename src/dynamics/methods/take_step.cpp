@@ -25,9 +25,8 @@ double stepInParts(const Method& method, const System& system, double h, int par
 
 }  // namespace
 
-void takeStep(const Method& method, const System& system, double h, SystemState& states,
-              Workspace& workspace) {
-  if (!method.claimsTo(kEstimatesError)) return method.step(system, h, states, workspace);
+void takeControlledStep(const Method& method, const System& system, double h, SystemState& states,
+                        Workspace& workspace) {
   constexpr int kMaxParts = 1 << 12;
   constexpr double kGain = 4;  // by halving the parts: far below the 2⁸ of the order
   constexpr double kRounding = 1e-12;

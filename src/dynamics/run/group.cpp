@@ -93,10 +93,6 @@ double Group::nextEvent(const std::vector<WrenchSchedule>& schedules) const {
   return next;
 }
 
-BodyState Group::at(double t, std::size_t k) const {
-  return solved_ ? solved_->at(t) : present_.bodies[k];
-}
-
 MotionAnchor Group::anchorOf(std::size_t k) const {
   return solved_ ? solved_->anchor() : MotionAnchor{t_, present_.bodies[k]};
 }
@@ -122,6 +118,11 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
   }
   system_.held.clear();
   for (const HeldWrenchSum& sum : sums) system_.held.push_back(sum.sum());
+  const bool no_laws =
+      system_.laws.empty() && system_.flows.empty() && system_.stateful_laws.empty();
+  system_.torque_free = no_laws && system_.coupled.empty() &&
+                        std::all_of(system_.held.begin(), system_.held.end(),
+                                    [](const HeldWrench& held) { return held.torqueFree(); });
   if (stepper_) stepper_->restart(system_);
 }
 
@@ -138,7 +139,9 @@ void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedul
 template <class Meter>
 void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules,
                            Meter& meter) {
-  next_ = present_;
+  next_.bodies.resize(present_.bodies.size());
+  std::copy(present_.bodies.begin(), present_.bodies.end(), next_.bodies.begin());
+  if (!present_.laws.empty()) next_.laws = present_.laws;
   switched_ = false;
   while (t < t_end) {
     if (t >= choice().tried_until) fallBackToErrorControl();

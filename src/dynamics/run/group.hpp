@@ -39,7 +39,9 @@ class Group {
   double knownUntil(const std::vector<WrenchSchedule>& schedules) const;
 
   /// The state of member k at a time t from the present to knownUntil().
-  BodyState at(double t, std::size_t k) const;
+  BodyState at(double t, std::size_t k) const {
+    return solved_ ? solved_->at(t) : present_.bodies[k];
+  }
 
   /// Writes the laws' own states at present among those of all laws.
   void putLawStates(const LawTable& table, std::vector<double>& law_states) const;

@@ -133,11 +133,6 @@ void Run::accept(double t_end) {
   if (!switched.empty()) regroup(switched, t_end);
 }
 
-BodyState Run::body(std::size_t body) const {
-  if (world_->bodies[body].fixed) return start_->bodies[body];
-  return groups_[group_of_[body]].at(time_, member_of_[body]);
-}
-
 std::vector<double> Run::lawStates() const {
   std::vector<double> states = law_states_;
   if (!states.empty())

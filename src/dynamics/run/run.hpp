@@ -33,7 +33,10 @@ class Run {
   /// The same, every piece of motion shown to the meter.
   void step(ExchangeMeter& meter);
 
-  BodyState body(std::size_t body) const;
+  BodyState body(std::size_t body) const {
+    if (world_->bodies[body].fixed) return start_->bodies[body];
+    return groups_[group_of_[body]].at(time_, member_of_[body]);
+  }
   State state() const;
 
   /// The state at a time between now and the next step; the run goes on as if never asked.

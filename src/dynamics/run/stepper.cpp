@@ -23,15 +23,16 @@ void Stepper::fallBackToErrorControl() {
 }
 
 Stepper::Stepper(const MethodChoice& choice, const ErrorBound& tolerance, const System& system)
-    : choice_(choice),
-      tolerance_(tolerance),
-      speed_matters_(std::any_of(system.flows.begin(), system.flows.end(),
-                                 [](const auto& law) { return law->rateGrowsWithSpeed(); })) {
+    : choice_(choice), tolerance_(tolerance) {
   std::vector<Stiffness> stiffness(system.bodies.size());
-  for (const auto& law : system.laws) law->addStiffness(system.bodies, stiffness);
-  for (const auto& law : system.flows) law->addStiffness(system.bodies, stiffness);
-  for (const auto& stateful : system.stateful_laws)
-    stateful.law->addStiffness(system.bodies, stiffness);
+  const auto consider = [&](const ForceLaw& law) {
+    law.addStiffness(system.bodies, stiffness);
+    rate_matters_ |= law.hasRate();
+    speed_matters_ |= law.rateGrowsWithSpeed();
+  };
+  for (const auto& law : system.laws) consider(*law);
+  for (const auto& law : system.flows) consider(*law);
+  for (const auto& stateful : system.stateful_laws) consider(*stateful.law);
   for (const Stiffness& of_body : stiffness)
     law_rate_ = std::max({law_rate_, std::sqrt(of_body.frequency_squared), of_body.decay});
 }
@@ -54,7 +55,7 @@ double Stepper::fastestRate(const System& system, double h, const SystemState& s
   for (std::size_t i = 0; i < states.bodies.size(); ++i)
     fastest =
         std::max(fastest, angularVelocity(system.bodies[i]->inv_I, states.bodies[i].L_P).norm());
-  fastest = std::max(fastest, fastestOfLaws(system, h, states));
+  if (rate_matters_) fastest = std::max(fastest, fastestOfLaws(system, h, states));
   return torque_matters_ ? std::max(fastest, rateBroughtAbout(system, h, states)) : fastest;
 }
 
@@ -70,8 +71,7 @@ double Stepper::fastestOfLaws(const System& system, double h, const SystemState&
   double fastest = 0;
   const ForceLaw::Bodies at{system.bodies, states.bodies};
   for (const auto& law : system.laws) fastest = std::max(fastest, law->rate(at, speeds));
-  if (speed_matters_)
-    for (const auto& law : system.flows) fastest = std::max(fastest, law->rate(at, speeds));
+  for (const auto& law : system.flows) fastest = std::max(fastest, law->rate(at, speeds));
   forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& with_own) {
     fastest = std::max(fastest, law.rate(with_own, speeds));
   });

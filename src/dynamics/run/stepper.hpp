@@ -63,6 +63,7 @@ class Stepper {
   Workspace scratch_;            // for looking into a substep
   EventSearch events_;           // of the laws
   double law_rate_ = 0;          // [1/s] the fastest that laws bring about at any state
+  bool rate_matters_ = false;    // whether a law has a rate
   bool speed_matters_ = false;   // whether a law's rate grows with speed
   bool torque_matters_ = false;  // whether torques other than the laws' may spin a body up
   int max_substeps_ = 1;

@@ -14,6 +14,7 @@ bool HeldWrench::holds(const PointWrench& applied) {
 
 Wrench HeldWrench::at(const BodyState& state) const {
   Wrench wrench;
+  if (is_zero) return wrench;
   wrench.f_W = f_W + rotate(state.q_WP, f_P);
   wrench.tau_W = tau_W;
   wrench.tau_P = tau_P;
@@ -68,6 +69,7 @@ HeldWrench HeldWrenchSum::sum() const {
   held.tau_W = tau_W.high;
   held.f_P = f_P_.high;
   held.tau_P = tau_P_.high;
+  held.is_zero = held.torqueFree() && held.f_W.isZero(0);
   return held;
 }
 

@@ -33,6 +33,8 @@ struct HeldWrench {
   std::vector<BodyPointForce> body_point_forces;    ///< at most three
   std::vector<WorldPointForce> world_point_forces;  ///< at most three
 
+  bool is_zero = false;  ///< whether all of that is known to be zero
+
   /// Whether the wrench is of this kind: axes and point each fixed in the world or in the body
   /// itself, but not body axes at a world point.
   static bool holds(const PointWrench& applied);
