@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include <rigid_body_sim/math/types.hpp>
 
@@ -21,9 +22,10 @@ Quaternion<T> rotationExp(const Vector3<T>& theta) {
 }
 
 /// Product of two quaternions a b, Hamilton's convention; written out, so that it is the same
-/// arithmetic for every scalar and every compiler.
+/// arithmetic for every scalar and every compiler. T follows from a alone, here and in
+/// angleBetween, so that b may be what Eigen returns, such as Identity().
 template <class T>
-Quaternion<T> product(const Quaternion<T>& a, const Quaternion<T>& b) {
+Quaternion<T> product(const Quaternion<T>& a, const std::common_type_t<Quaternion<T>>& b) {
   return Quaternion<T>(a.w() * b.w() - a.x() * b.x() - a.y() * b.y() - a.z() * b.z(),
                        a.w() * b.x() + a.x() * b.w() + a.y() * b.z() - a.z() * b.y(),
                        a.w() * b.y() - a.x() * b.z() + a.y() * b.w() + a.z() * b.x(),
@@ -64,7 +66,7 @@ void renormalize(Quaternion<T>& q) {
 ///   2 atan2(|vec(a⁻¹ b)|, |scalar(a⁻¹ b)|);
 /// full relative accuracy down to zero, where an arc cosine has lost every digit.
 template <class T>
-T angleBetween(const Quaternion<T>& a, const Quaternion<T>& b) {
+T angleBetween(const Quaternion<T>& a, const std::common_type_t<Quaternion<T>>& b) {
   using std::abs;
   using std::atan2;
   const Quaternion<T> d = product(Quaternion<T>(a.conjugate()), b);

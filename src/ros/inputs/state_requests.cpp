@@ -43,7 +43,7 @@ Quaterniond unitOf(const geometry_msgs::Quaternion& message) {
     throw std::invalid_argument(fault.str());
   }
   constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
-  return std::abs(q.squaredNorm() - 1) <= kRounding ? q : q.normalized();
+  return std::abs(q.squaredNorm() - 1) <= kRounding ? q : Quaterniond(q.normalized());
 }
 
 bool isFinite(const BodyState& s) {

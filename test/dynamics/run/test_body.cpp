@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/dynamics/body.hpp>
+#include <rigid_body_sim/dynamics/state.hpp>
 
 namespace rigid_body_sim {
 namespace {
@@ -15,6 +15,13 @@ std::string refusal(const MassProperties& properties) {
     return refused.what();
   }
   return "";
+}
+
+// a program compiled for another instruction set sees the same structures
+TEST(Body, HasOneLayoutWhateverTheInstructionSet) {
+  EXPECT_EQ(alignof(Body), alignof(double));
+  EXPECT_EQ(alignof(BodyState), alignof(double));
+  EXPECT_EQ(alignof(BodyFrameMotion), alignof(double));
 }
 
 TEST(Body, RefusesImpossibleMassProperties) {
