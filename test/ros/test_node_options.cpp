@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ros/node/node_options.hpp"
+#include "ros/options/node_options.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/methods/step_too_long.hpp"
 #include "dynamics/methods/system.hpp"
+#include "dynamics/step_too_long.hpp"
 
 namespace rigid_body_sim {
 

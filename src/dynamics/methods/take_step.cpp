@@ -5,7 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "dynamics/methods/step_too_long.hpp"
+#include "dynamics/step_too_long.hpp"
 
 namespace rigid_body_sim {
 namespace {

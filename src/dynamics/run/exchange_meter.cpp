@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "dynamics/methods/step_too_long.hpp"
+#include "dynamics/step_too_long.hpp"
 #include "math/gauss_legendre.hpp"
 
 namespace rigid_body_sim {

@@ -2,9 +2,9 @@
 
 #include <variant>
 
-#include "dynamics/methods/step_too_long.hpp"
 #include "dynamics/rotation/free_flight.hpp"
 #include "dynamics/run/boxed.hpp"
+#include "dynamics/step_too_long.hpp"
 #include "dynamics/taylor/taylor_segment.hpp"
 
 namespace rigid_body_sim {

@@ -6,7 +6,7 @@
 #include <rigid_body_sim/dynamics/body.hpp>
 #include <rigid_body_sim/dynamics/state.hpp>
 
-#include "dynamics/methods/step_too_long.hpp"
+#include "dynamics/step_too_long.hpp"
 #include "dynamics/taylor/taylor_equations.hpp"
 #include "dynamics/wrenches/held_wrench.hpp"
 

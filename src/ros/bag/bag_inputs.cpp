@@ -10,7 +10,7 @@
 #include <rosbag/view.h>
 
 #include "ros/inputs/wrench_intake.hpp"
-#include "ros/node/node_options.hpp"
+#include "ros/options/node_options.hpp"
 #include "scene/limits.hpp"
 
 namespace rigid_body_sim {
@@ -55,7 +55,8 @@ class WrenchMessages {
  private:
   void take(const rosbag::MessageInstance& message) {
     if (message.getTopic() == "/tf_static") {
-      if (const auto frames = message.instantiate<tf2_msgs::TFMessage>()) intake_.addStatic(*frames);
+      if (const auto frames = message.instantiate<tf2_msgs::TFMessage>())
+        intake_.addStatic(*frames);
     } else if (const AppliedWrench::ConstPtr wrench = message.instantiate<AppliedWrench>()) {
       requireOneTopic("", message.getTopic());
       add(message.getTime(), [&](double now) { return intake_.take(*wrench, origin, now); });

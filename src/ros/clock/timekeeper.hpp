@@ -8,7 +8,7 @@
 #include "ros/clock/clock_follower.hpp"
 #include "ros/clock/pacer.hpp"
 #include "ros/messages/conversions.hpp"
-#include "ros/node/node_options.hpp"
+#include "ros/options/node_options.hpp"
 
 namespace rigid_body_sim {
 

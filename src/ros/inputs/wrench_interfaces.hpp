@@ -12,7 +12,7 @@
 #include "ros/inputs/inputs.hpp"
 #include "ros/inputs/refusals.hpp"
 #include "ros/inputs/wrench_intake.hpp"
-#include "ros/node/node_options.hpp"
+#include "ros/options/node_options.hpp"
 
 namespace rigid_body_sim {
 

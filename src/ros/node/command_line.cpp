@@ -9,7 +9,7 @@
 #include <ros/init.h>
 #include <ros/network.h>
 
-#include "ros/node/node_options.hpp"
+#include "ros/options/node_options.hpp"
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {

@@ -20,8 +20,8 @@
 #include "ros/mouse/handle_topics.hpp"
 #include "ros/mouse/mouse.hpp"
 #include "ros/node/monitor.hpp"
-#include "ros/node/node_options.hpp"
 #include "ros/node/node_queues.hpp"
+#include "ros/options/node_options.hpp"
 #include "ros/outputs/outputs.hpp"
 
 namespace rigid_body_sim {

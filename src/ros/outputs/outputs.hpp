@@ -12,7 +12,7 @@
 
 #include "ros/messages/conversions.hpp"
 #include "ros/messages/tf_frames.hpp"
-#include "ros/node/node_options.hpp"
+#include "ros/options/node_options.hpp"
 #include "ros/outputs/instants.hpp"
 #include "ros/outputs/live_markers.hpp"
 #include "ros/outputs/output_topics.hpp"

@@ -4,8 +4,8 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
-#include "dynamics/methods/step_too_long.hpp"
 #include "dynamics/rotation/rotor.hpp"
+#include "dynamics/step_too_long.hpp"
 #include "dynamics/taylor/taylor_segment.hpp"
 #include "dynamics/wrenches/wrench_schedule.hpp"
 

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "node_driver.hpp"
-#include "ros/node/node_options.hpp"
+#include "ros/options/node_options.hpp"
 #include "support/run_command.hpp"
 
 namespace rigid_body_sim {

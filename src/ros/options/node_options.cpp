@@ -1,4 +1,4 @@
-#include "ros/node/node_options.hpp"
+#include "ros/options/node_options.hpp"
 
 #include <cmath>
 #include <cstdint>
