@@ -91,11 +91,20 @@ TEST(NodeOptions, NeedExactlyOneScene) {
 }
 
 TEST(NodeOptions, RefuseAnUnknownName) {
-  EXPECT_EQ(
-      refusalOf("publish_rat", 10),
-      "parameter ~publish_rat: unknown, got '10'; known: body_topics, clock_rate, "
-      "odometry_covariance, publish_clock, publish_rate, real_time_factor, reset_time, scene, "
-      "scene_file, start_paused, start_time, tf_prefix, wrench_timeout");
+  EXPECT_EQ(refusalOf("publish_rat", 10),
+            "parameter ~publish_rat: unknown, got '10'; known: body_topics, clock_rate, "
+            "diagnostic_period, odometry_covariance, publish_clock, publish_rate, "
+            "real_time_factor, reset_time, scene, "
+            "scene_file, start_paused, start_time, tf_prefix, wrench_timeout");
+}
+
+// diagnostic_updater, within the node, reads it.
+TEST(NodeOptions, TakeThePeriodOfDiagnostics) {
+  XmlRpc::XmlRpcValue parameters = withScene();
+  parameters["diagnostic_period"] = 0.5;
+  EXPECT_NO_THROW(toNodeOptions(parameters));
+  EXPECT_NE(refusalOf("diagnostic_period", -1).find("parameter ~diagnostic_period: must be"),
+            std::string::npos);
 }
 
 TEST(NodeOptions, RefuseAWrongType) {

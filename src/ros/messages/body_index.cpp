@@ -10,7 +10,11 @@ namespace rigid_body_sim {
 std::size_t bodyNamed(const std::string& name, const std::vector<Body>& bodies) {
   const auto found = std::find_if(bodies.begin(), bodies.end(),
                                   [&](const Body& body) { return body.name == name; });
-  if (found == bodies.end()) throw std::invalid_argument("unknown body '" + printable(name) + "'");
+  if (found == bodies.end()) {
+    std::vector<std::string> names;
+    for (const Body& body : bodies) names.push_back(body.name);
+    throw std::invalid_argument("unknown body '" + printable(name) + "'" + didYouMean(name, names));
+  }
   return static_cast<std::size_t>(found - bodies.begin());
 }
 

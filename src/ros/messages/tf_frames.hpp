@@ -13,18 +13,22 @@ class TfFrames {
  public:
   /// prefix: empty for none.
   explicit TfFrames(const Scene& scene, const std::string& prefix = "") {
-    for (const BodyDef& body : scene.bodies)
-      bodies_.push_back(prefix.empty() ? body.name : prefix + "/" + body.name);
+    const std::string start = prefix.empty() ? "" : prefix + "/";
+    for (const BodyDef& body : scene.bodies) {
+      bodies_.push_back(start + frameOf(body));
+      names_.push_back(start + body.name);
+    }
   }
 
   const std::vector<std::string>& bodies() const { return bodies_; }
   const std::string& of(std::size_t body) const { return bodies_[body]; }
   std::string of(std::size_t body, const PointDef& point) const {
-    return bodies_[body] + "/" + point.name;
+    return names_[body] + "/" + point.name;
   }
 
  private:
   std::vector<std::string> bodies_;
+  std::vector<std::string> names_;
 };
 
 }  // namespace rigid_body_sim

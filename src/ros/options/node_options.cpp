@@ -127,6 +127,9 @@ const std::map<std::string, Reader>& readers() {
   static const std::map<std::string, Reader> table{
       {"body_topics", into(&NodeOptions::body_topics, readBool)},
       {"clock_rate", into(&NodeOptions::clock_rate, readRate)},
+      // read by diagnostic_updater, of which the node makes use
+      {"diagnostic_period", [](const std::string& name, const XmlRpcValue& value,
+                               NodeOptions&) { readRate(name, value); }},
       {"odometry_covariance", into(&NodeOptions::odometry_covariance, readDiagonal)},
       {"publish_clock", into(&NodeOptions::publish_clock, readBool)},
       {"publish_rate", into(&NodeOptions::publish_rate, readRate)},
