@@ -16,7 +16,7 @@ struct Topic {
 
   std::function<std::size_t()> subscribers;  ///< their number; cheap enough to ask at every tick
   std::function<void(const Message&, const ros::Time& stamp)> publish;
-  std::function<void(Greeting)> greetWith;  ///< from now on; a bag is never greeted
+  std::function<void(Greeting)> greetWith{};  ///< from now on; a bag is never greeted
 };
 
 }  // namespace rigid_body_sim
