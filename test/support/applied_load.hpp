@@ -17,7 +17,7 @@ inline auto appliedLoad(const Body& body, const Vector3d& g_W,
     Load load;
     load.f_W = Real(body.mass) * g_W.cast<Real>();
     for (const PointWrench& a : applied) {
-      const bool own_axes = a.axes == a.body, own_point = a.point_frame == a.body;
+      const bool own_axes = a.axes != kWorld, own_point = a.point_frame != kWorld;
       const Vector force = a.force.cast<Real>();
       const Vector torque = a.torque.cast<Real>();
       const Vector point = a.point.cast<Real>();

@@ -13,14 +13,14 @@ namespace detail {
 
 inline reference::Load loadOf(const PointWrench& applied, const reference::Motions& m) {
   using reference::Vector;
+  const auto indexOf = [&](std::size_t frame) { return frame == kOwnBody ? applied.body : frame; };
   const auto turned = [&](const Vector3d& v) -> Vector {
     const Vector wide = v.cast<reference::Real>();
-    return applied.axes == kWorld ? wide : Vector(m[applied.axes].R() * wide);
+    return applied.axes == kWorld ? wide : Vector(m[indexOf(applied.axes)].R() * wide);
   };
   const Vector point = applied.point.cast<reference::Real>();
-  const Vector r_W = applied.point_frame == kWorld
-                         ? point
-                         : Vector(m[applied.point_frame].x + m[applied.point_frame].R() * point);
+  const std::size_t holder = indexOf(applied.point_frame);
+  const Vector r_W = holder == kWorld ? point : Vector(m[holder].x + m[holder].R() * point);
   reference::Load load;
   load.f_W = turned(applied.force);
   load.tau_W = (r_W - m[applied.body].x).cross(load.f_W) + turned(applied.torque);
