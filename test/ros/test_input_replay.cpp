@@ -180,8 +180,8 @@ TEST_F(Recorded, EveryInputChangesTheMotion) {
     InputReplay replay = replayOf(others);
     Simulation repeated = simulationOf(kScene);
     replayTo(60, replay, repeated);
-    const bool same = run.body(0).x_W == repeated.body(0).x_W &&
-                      run.body(1).x_W == repeated.body(1).x_W;
+    const bool same =
+        run.body(0).x_W == repeated.body(0).x_W && run.body(1).x_W == repeated.body(1).x_W;
     // input 7, the reset, wipes out what came before it
     const bool wiped = left_out < 7;
     EXPECT_EQ(same, wiped) << "input " << left_out;

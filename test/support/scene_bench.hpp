@@ -35,6 +35,9 @@ inline Bench sceneBench(const std::string& file) {
             reference::centralGravity(i, gravity.center, gravity.mu, gravity.gradient));
     }
   }
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].drag.any())
+      bench.reference_laws.push_back(reference::drag(i, scene.bodies[i].drag));
   return bench;
 }
 

@@ -25,7 +25,10 @@ ros::Time TimeOrigin::stamp(double t) const {
     throw BeyondRosTime(line.str());
   }
   ros::Time stamp;
-  stamp.fromNSec(static_cast<std::uint64_t>(nanoseconds(start) + std::llround(t * 1e9)));
+  const double seconds = std::floor(t);  // apart, as their nanoseconds would round
+  stamp.fromNSec(static_cast<std::uint64_t>(nanoseconds(start) +
+                                            static_cast<std::int64_t>(seconds) * 1000000000 +
+                                            std::llround((t - seconds) * 1e9)));
   return stamp;
 }
 

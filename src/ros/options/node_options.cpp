@@ -63,7 +63,9 @@ std::string readPrefix(const std::string& name, XmlRpcValue value) {
   prefix.erase(0, prefix.find_first_not_of('/'));
   prefix.erase(prefix.find_last_not_of('/') + 1);
   std::string fault;
-  if (!prefix.empty() && !ros::names::validate(prefix, fault)) refuse(name, value, kRule);
+  const bool is_name =
+      ros::names::validate(prefix, fault) && prefix.find("//") == std::string::npos;
+  if (!prefix.empty() && !is_name) refuse(name, value, kRule);
   return prefix;
 }
 
@@ -127,9 +129,6 @@ const std::map<std::string, Reader>& readers() {
   static const std::map<std::string, Reader> table{
       {"body_topics", into(&NodeOptions::body_topics, readBool)},
       {"clock_rate", into(&NodeOptions::clock_rate, readRate)},
-      // read by diagnostic_updater, of which the node makes use
-      {"diagnostic_period", [](const std::string& name, const XmlRpcValue& value,
-                               NodeOptions&) { readRate(name, value); }},
       {"odometry_covariance", into(&NodeOptions::odometry_covariance, readDiagonal)},
       {"publish_clock", into(&NodeOptions::publish_clock, readBool)},
       {"publish_rate", into(&NodeOptions::publish_rate, readRate)},
@@ -167,6 +166,10 @@ NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
   if (parameters.getType() == XmlRpcValue::TypeStruct) {
     XmlRpcValue copy = parameters;
     for (const auto& [name, value] : copy) {
+      if (name == "diagnostic_period") {  // diagnostic_updater's own, of which the node makes use
+        readRate(name, value);
+        continue;
+      }
       const auto reader = readers().find(name);
       if (reader == readers().end()) refuseUnknown(name, value);
       reader->second(name, value, options);

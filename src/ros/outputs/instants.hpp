@@ -14,6 +14,7 @@ class Instants {
   void restart(double t) {
     k_ = std::ceil(t * rate_);
     if (k_ > 0 && (k_ - 1) / rate_ >= t) k_ -= 1;
+    if (next() < t) k_ += 1;
   }
 
   double next() const { return k_ / rate_; }

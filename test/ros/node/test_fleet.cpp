@@ -161,7 +161,7 @@ TEST_F(Fleet, FollowerWithoutAStartTimeBeginsWhereItHearsTheClock) {
   TimeOrigin origin;
   origin.start.fromNSec(inputs.back().header.stamp.toNSec() -
                         static_cast<std::uint64_t>(std::llround(inputs.back().time * 1e9)));
-  EXPECT_EQ(origin.start.toNSec() % 10000000, 0U);
+  EXPECT_EQ(origin.start.toNSec() % 1000000, 0U);  // the leader's clock has 1000 Hz
   EXPECT_LE(origin.start, clock);
   const nav_msgs::Odometry expected = expectedAt(heard.back().header.stamp, origin);
   // wrenches of nothing part the motion: it rounds elsewhere

@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{SCENE " _publish_rate:=fast", "~publish_rate: must be a number > 0"},
         Refusal{SCENE " _wrench_timeout:=-0.5", "~wrench_timeout: must be a finite number >= 0"},
         Refusal{SCENE " _start_paused:=1", "~start_paused: must be true or false, got '1'"},
-        Refusal{SCENE " _publish_rat:=1", "~publish_rat: unknown, got '1'; known: clock_rate"},
+        Refusal{SCENE " _publish_rat:=1", "~publish_rat: unknown, got '1'; known: body_topics"},
         Refusal{SCENE " _publish_clock:=true", "~publish_clock: must be false unless"},
         Refusal{SCENE " _reset_time:=true", "~reset_time: must be false unless ~publish_clock"},
         Refusal{SCENE " _start_time:=-1", "~start_time: must be a time >= 0 s that ROS can tell"},

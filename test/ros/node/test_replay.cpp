@@ -182,23 +182,29 @@ TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
                               " >/dev/null";
   ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << command;
 
+  // of the node some states more: those that stood while it was paused
   std::size_t states_same = 0, odometry_same = 0, applied_same = 0;
+  std::size_t states_repeated = 0, odometry_repeated = 0, applied_repeated = 0;
   rosbag::Bag bag(repeated, rosbag::bagmode::Read);
   for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
     const std::string topic = message.getTopic();
     const std::string body = topic.substr(1, topic.find('/', 1) - 1);
     if (const auto m = message.instantiate<BodyStates>()) {
+      ++states_repeated;
       states_same += bytesOf(*m) == bytesOf(states[m->header.stamp]);
     } else if (const auto odom = message.instantiate<nav_msgs::Odometry>()) {
+      ++odometry_repeated;
       odometry_same += bytesOf(*odom) == bytesOf(odometry[{body, odom->header.stamp}]);
     } else if (const auto wrench = message.instantiate<geometry_msgs::WrenchStamped>()) {
+      ++applied_repeated;
       applied_same += bytesOf(*wrench) == bytesOf(applied[{body, wrench->header.stamp}]);
     }
   }
   EXPECT_GE(states.size(), 90U);
-  EXPECT_EQ(states_same, states.size());
-  EXPECT_EQ(odometry_same, odometry.size());
-  EXPECT_EQ(applied_same, applied.size());
+  EXPECT_GE(states_repeated, 90U);
+  EXPECT_EQ(states_same, states_repeated);
+  EXPECT_EQ(odometry_same, odometry_repeated);
+  EXPECT_EQ(applied_same, applied_repeated);
 }
 
 }  // namespace rigid_body_sim
