@@ -184,14 +184,14 @@ TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
 
   // the states at time zero and after the first step came before connect() had cleared what it
   // heard
-  const ros::Time first = states.begin()->first;
+  const ros::Time first_heard = states.begin()->first;
   std::size_t states_same = 0, odometry_same = 0, applied_same = 0;
   std::size_t states_repeated = 0, odometry_repeated = 0, applied_repeated = 0;
   rosbag::Bag bag(repeated, rosbag::bagmode::Read);
   for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
     const std::string topic = message.getTopic();
     const std::string body = topic.substr(1, topic.find('/', 1) - 1);
-    if (message.getTime() < first) continue;
+    if (message.getTime() < first_heard) continue;
     if (const auto m = message.instantiate<BodyStates>()) {
       ++states_repeated;
       states_same += bytesOf(*m) == bytesOf(states[m->header.stamp]);
