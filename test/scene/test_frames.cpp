@@ -153,9 +153,10 @@ TEST_F(Frames, RefusesAWrenchThatNamesWhatIsNotThere) {
             "unknown frame '' (known: map, box, box/tip, ball, stand, stand/hook)");
   wrench = wrenchIn("box");
   wrench.point_frame = "box/tap";
-  EXPECT_EQ(faultOf(wrench),
-            "unknown point_frame 'box/tap' (known: map, box, box/tip, ball, stand, stand/hook); did "
-            "you mean 'box/tip'?");
+  EXPECT_EQ(
+      faultOf(wrench),
+      "unknown point_frame 'box/tap' (known: map, box, box/tip, ball, stand, stand/hook); did "
+      "you mean 'box/tip'?");
 }
 
 TEST_F(Frames, RefusesAWrenchOfBadNumbers) {

@@ -158,7 +158,8 @@ TEST_F(MeshOfScene, KeepsTheRulesOfItsKeys) {
   EXPECT_EQ(error("{file: brick.stl, scale: -1}"), kAt + ".scale must be > 0, got -1");
   EXPECT_EQ(error("{file: brick.stl, unit: mm}"),
             ":4: body 'a': unknown key 'shape.mesh.unit' (known: file, scale, solid)");
-  EXPECT_EQ(error("brick.stl"), kAt + " must be a mapping, got brick.stl (keys: file, scale, solid)");
+  EXPECT_EQ(error("brick.stl"),
+            kAt + " must be a mapping, got brick.stl (keys: file, scale, solid)");
 }
 
 TEST_F(MeshOfScene, MayBeScaledAxisByAxisAndMirrored) {

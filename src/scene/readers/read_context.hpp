@@ -30,7 +30,7 @@ struct ReadContext {
   using MeshKey = std::tuple<std::string, std::array<double, 3>, MeshSolid>;
   std::map<MeshKey, MeshDef> meshes;  ///< by path, scale and solid: each read once
   RepeatedNotice fast_spin, flipped;
-  std::map<std::string, UrdfRobot> robots;                   ///< by path: each read once
+  std::map<std::string, UrdfRobot> robots;  ///< by path: each read once
 };
 
 }  // namespace rigid_body_sim
