@@ -55,7 +55,10 @@ class Qhull {
                               coordinates.data(), False, command, nullptr, messages_);
   }
   ~Qhull() {
-    qh_freeqhull(&state_, qh_ALL);
+    qh_freeqhull(&state_, !qh_ALL);  // its long memory and itself: what is short goes below
+    int long_blocks = 0;
+    int long_bytes = 0;
+    qh_memfreeshort(&state_, &long_blocks, &long_bytes);
     std::fclose(messages_);
     std::free(text_);
   }
