@@ -18,8 +18,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-TriangleMesh cube() { return triangulated(Box{{1, 1, 1}}, 0); }
-
 /// Accepted as it is, nothing turned around.
 void expectAccepted(const TriangleMesh& mesh) {
   const CheckedMesh checked = checkedMesh(mesh);

@@ -59,10 +59,6 @@ MassProperties integratedOverGrid(const Shape& shape, int n) {
   return massProperties(cells);
 }
 
-MassProperties ofDensityOne(const Shape& shape) { return massProperties(shape, volume(shape)); }
-
-MassProperties ofDensityOne(const TriangleMesh& mesh) { return massProperties(mesh, volume(mesh)); }
-
 }  // namespace
 
 TEST(Shapes, HaveTheClosedFormsOfTheLecture) {

@@ -18,8 +18,6 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 
-TriangleMesh cube(double size = 1) { return triangulated(Box{{size, size, size}}, 0); }
-
 /// The volume of a mesh that is accepted, and what is said of it.
 struct Outcome {
   double volume;

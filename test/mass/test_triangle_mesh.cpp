@@ -21,9 +21,6 @@ TriangleMesh lopsided() {
                   translated({2, -1, 0.5}, triangulated(Box{{0.4, 0.7, 1.1}}, 0)));
 }
 
-MassProperties ofDensityOne(const TriangleMesh& mesh) { return massProperties(mesh, volume(mesh)); }
-MassProperties ofDensityOne(const Shape& shape) { return massProperties(shape, volume(shape)); }
-
 }  // namespace
 
 TEST(TriangleMesh, OfAUnitCubeIsExact) {

@@ -18,11 +18,11 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-constexpr double kUlp = std::numeric_limits<float>::epsilon();  // of single precision, at 1 m
-const Vector3d kRounding = Vector3d::Constant(4 * kUlp);
+constexpr double kSingleUlp = std::numeric_limits<float>::epsilon();  // of single precision, at 1 m
+const Vector3d kRounding = Vector3d::Constant(4 * kSingleUlp);
 
 /// Cube of a metre that stands obliquely at the origin.
-TriangleMesh cube() {
+TriangleMesh turnedCube() {
   Isometry3d X = Isometry3d::Identity();
   X.linear() = Eigen::AngleAxisd(0.3, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   return transformed(X, triangulated(Box{{1, 1, 1}}, 0));
@@ -32,7 +32,7 @@ TriangleMesh cube() {
 TriangleMesh rounded(const TriangleMesh& mesh, unsigned seed) {
   RandomMass random(seed);
   TriangleMesh loose = soup(mesh);
-  for (Vector3d& v : loose.vertices) v += random.vector(kUlp);
+  for (Vector3d& v : loose.vertices) v += random.vector(kSingleUlp);
   return loose;
 }
 
@@ -46,11 +46,11 @@ void expectSameBits(const TriangleMesh& a, const TriangleMesh& b) {
 
 TEST(Welding, ClosesASolidWhoseCornersDifferByRounding) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const CheckedMesh checked = checkedMesh(rounded(cube(), seed), kRounding);
+    const CheckedMesh checked = checkedMesh(rounded(turnedCube(), seed), kRounding);
     EXPECT_EQ(checked.fault, "");
     EXPECT_EQ(checked.mesh.vertices.size(), 8u);
     EXPECT_EQ(checked.mesh.triangles.size(), 12u);
-    EXPECT_NEAR(volume(checked.mesh), 1, 10 * kUlp);
+    EXPECT_NEAR(volume(checked.mesh), 1, 10 * kSingleUlp);
   }
   const TriangleMesh ball = triangulated(Sphere{1}, 64);
   const CheckedMesh checked = checkedMesh(rounded(ball, 1), kRounding);
@@ -59,8 +59,8 @@ TEST(Welding, ClosesASolidWhoseCornersDifferByRounding) {
 }
 
 TEST(Welding, SaysWhatItWelded) {
-  TriangleMesh mesh = soup(cube());
-  mesh.vertices[4].x() += kUlp;
+  TriangleMesh mesh = soup(turnedCube());
+  mesh.vertices[4].x() += kSingleUlp;
   const CheckedMesh checked = checkedMesh(mesh, kRounding);
   EXPECT_THAT(checked.notices,
               ElementsAre("mesh has 4 open edges, and is closed: of its vertices, 1 are welded to "
@@ -70,7 +70,7 @@ TEST(Welding, SaysWhatItWelded) {
 }
 
 TEST(Welding, NeedsToKnowHowTheNumbersWereRounded) {
-  EXPECT_THAT(checkedMesh(rounded(cube(), 1)).fault, StartsWith("mesh must be closed"));
+  EXPECT_THAT(checkedMesh(rounded(turnedCube(), 1)).fault, StartsWith("mesh must be closed"));
 }
 
 // A plate thinner than the tolerance, which welding would press flat.
@@ -84,7 +84,7 @@ TEST(Welding, KeepsTheBitsOfAClosedMesh) {
 
 TEST(Welding, KeepsAClosedShellBesideAnOpenOne) {
   const TriangleMesh plate = translated({3, 0, 0}, triangulated(Box{{1, 1, 1e-7}}, 0));
-  const CheckedMesh checked = checkedMesh(together(rounded(cube(), 2), plate), kRounding);
+  const CheckedMesh checked = checkedMesh(together(rounded(turnedCube(), 2), plate), kRounding);
   EXPECT_EQ(checked.fault, "");
   ASSERT_EQ(checked.mesh.vertices.size(), 16u);
   TriangleMesh rest{{checked.mesh.vertices.begin() + 8, checked.mesh.vertices.end()}, {}};
@@ -99,16 +99,16 @@ TEST(Welding, KeepsTwoCubesAThousandthOfTheirSizeApart) {
   const TriangleMesh box = triangulated(Box{{1, 1, 1}}, 0);
   const TriangleMesh pair = together(box, translated({1.001, 0, 0}, box));
   // numbers however coarse
-  for (const double rounding : {4 * kUlp, 1e-4, 1.0}) {
+  for (const double rounding : {4 * kSingleUlp, 1e-4, 1.0}) {
     const CheckedMesh checked = checkedMesh(rounded(pair, 3), Vector3d::Constant(rounding));
     EXPECT_EQ(checked.fault, "");
     EXPECT_EQ(checked.mesh.vertices.size(), 16u);
-    EXPECT_NEAR(volume(checked.mesh), 2, 20 * kUlp);
+    EXPECT_NEAR(volume(checked.mesh), 2, 20 * kSingleUlp);
   }
 }
 
 TEST(Welding, ClosesNoHole) {
-  TriangleMesh open = rounded(cube(), 4);
+  TriangleMesh open = rounded(turnedCube(), 4);
   open.triangles.pop_back();
   EXPECT_THAT(checkedMesh(open, kRounding).fault,
               StartsWith("mesh must be closed, got 3 open edges"));
@@ -119,7 +119,7 @@ TEST(Welding, ClosesNoHole) {
 TEST(Welding, DoesNotCollapseAChainOfNearVertices) {
   TriangleMesh cone = triangulated(Cone{1, 2}, 64);
   for (Vector3d& v : cone.vertices)
-    if (v.z() < 0) v.head<2>() *= 5 * kUlp;
+    if (v.z() < 0) v.head<2>() *= 5 * kSingleUlp;
   TriangleMesh open = cone;
   open.triangles.clear();
   for (const Triangle& t : cone.triangles) {  // without its base

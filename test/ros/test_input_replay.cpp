@@ -31,7 +31,7 @@ wrenches:
   - {body: other, frame: other, force: [1, 2, 3], start: 0.1234, duration: 3}
 )";
 
-Simulation simulationOf(const std::string& yaml) {
+Simulation simulationFrom(const std::string& yaml) {
   const Scene scene = parseScene(yaml, "test");
   const World world = buildWorld(scene);
   return Simulation(world, initialState(scene, world));
@@ -101,7 +101,7 @@ class Recorded : public ::testing::Test {
   }
 
   void expectRepeated(InputReplay replay, std::int64_t end) {
-    Simulation repeated = simulationOf(kScene);
+    Simulation repeated = simulationFrom(kScene);
     for (std::int64_t step : {end, end + 340}) {
       stepTo(step);
       replayTo(step, replay, repeated);
@@ -119,14 +119,14 @@ class Recorded : public ::testing::Test {
   /// Why a record is refused.
   std::string fault(const std::string& yaml = kScene) const {
     try {
-      lastRun(inputs, simulationOf(yaml).world(), "world");
+      lastRun(inputs, simulationFrom(yaml).world(), "world");
     } catch (const std::invalid_argument& error) {
       return error.what();
     }
     return "";
   }
 
-  Simulation run = simulationOf(kScene);
+  Simulation run = simulationFrom(kScene);
   std::vector<Input> inputs;
   TimeOrigin origin{ros::Time(1000)};  // a wall clock
   Inputs node{{[] { return 1; },
@@ -161,7 +161,7 @@ TEST_F(Recorded, StateInBodyAxesIsReadFromAnOlderRecord) {
 TEST_F(Recorded, InputsThatRemainAtTheEndOfARunAreCounted) {
   wholeRun();
   InputReplay replay = replayOf(inputs);
-  Simulation repeated = simulationOf(kScene);
+  Simulation repeated = simulationFrom(kScene);
   EXPECT_EQ(replay.lastStep(), 50U);
   EXPECT_EQ(replay.remaining(), inputs.size());
   replayTo(45, replay, repeated);
@@ -178,7 +178,7 @@ TEST_F(Recorded, EveryInputChangesTheMotion) {
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
     for (std::size_t i = 0; i < others.size(); ++i) others[i].number = i;
     InputReplay replay = replayOf(others);
-    Simulation repeated = simulationOf(kScene);
+    Simulation repeated = simulationFrom(kScene);
     replayTo(60, replay, repeated);
     const bool same =
         run.body(0).x_W == repeated.body(0).x_W && run.body(1).x_W == repeated.body(1).x_W;

@@ -23,4 +23,9 @@ inline std::string errorOf(const std::string& text) {
   return "";
 }
 
+inline std::string boxError(const std::string& more) { return errorOf(boxScene(more)); }
+
+/// Where the errors of boxScene's further lines are said to be.
+inline const std::string kAtBox = "s.yaml:6: body 'box': ";
+
 }  // namespace rigid_body_sim

@@ -15,7 +15,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::string kAt = "s.yaml:6: body 'box': ";
 
 BodyDef boxWith(const std::string& more) { return parseScene(boxScene(more), "s.yaml").bodies[0]; }
 
@@ -57,10 +56,10 @@ TEST(SceneOrientation, MayBeRollPitchYawWhereverItStands) {
 
 TEST(SceneOrientation, KeepsTheRulesOfRollPitchYaw) {
   EXPECT_EQ(errorOf(boxScene("    orientation: {rpy: [0, 0]}\n")),
-            kAt + "orientation.rpy must be a list of 3 numbers [rad], got [0, 0]");
-  EXPECT_EQ(errorOf(boxScene("    orientation: {}\n")), kAt + "missing key 'orientation.rpy'");
+            kAtBox + "orientation.rpy must be a list of 3 numbers [rad], got [0, 0]");
+  EXPECT_EQ(errorOf(boxScene("    orientation: {}\n")), kAtBox + "missing key 'orientation.rpy'");
   EXPECT_EQ(errorOf(boxScene("    orientation: {yaw: 1}\n")),
-            kAt + "unknown key 'orientation.yaw' (known: rpy)");
+            kAtBox + "unknown key 'orientation.yaw' (known: rpy)");
 }
 
 TEST(SceneFrame, IsTheBodysNameInTf) {
@@ -80,7 +79,7 @@ TEST(SceneFrame, IsTheBodysNameInTf) {
 TEST(SceneFrame, KeepsItsRules) {
   for (const std::string name : {"/box", "box/", "a//b", "\"a b\"", "\"\"", "[a]"})
     EXPECT_EQ(errorOf(boxScene("    frame: " + name + "\n")),
-              kAt +
+              kAtBox +
                   "frame must be a frame name: letters, digits, _, - and ., parts joined by /, at "
                   "most 255 bytes, got " +
                   name);
@@ -105,11 +104,11 @@ TEST(SceneVisual, IsPlacedAndScaled) {
 
 TEST(SceneVisual, KeepsItsRules) {
   EXPECT_EQ(errorOf(boxScene("    visual: {scale: 2}\n")),
-            kAt + "visual.scale goes with visual.mesh, got 2");
+            kAtBox + "visual.scale goes with visual.mesh, got 2");
   EXPECT_EQ(errorOf(boxScene("    visual: {mesh: a.stl, scale: [1, 0, 1]}\n")),
-            kAt + "visual.scale[1] must be > 0, got 0");
+            kAtBox + "visual.scale[1] must be > 0, got 0");
   EXPECT_EQ(errorOf(boxScene("    visual: {mesh: a.stl, scale: [1, 1]}\n")),
-            kAt + "visual.scale must be a number or a list of 3 numbers, got [1, 1]");
+            kAtBox + "visual.scale must be a number or a list of 3 numbers, got [1, 1]");
 }
 
 TEST(SceneTwist, TakesTheNamesOfItsFrames) {
@@ -146,9 +145,9 @@ TEST(SceneNames, ComeWithTheOneThatMayBeMeant) {
 
 TEST(SceneNumbers, AreQuestionedWhereTheyLookLikeDegreesOrLikeWFirst) {
   EXPECT_THAT(noticesOf("    twist: {frame: body, angular: [0, 0, 360]}\n"),
-              ElementsAre(kAt + "twist.angular is 57.3 turns/s; its unit is rad/s"));
+              ElementsAre(kAtBox + "twist.angular is 57.3 turns/s; its unit is rad/s"));
   EXPECT_THAT(noticesOf("    orientation: [1, 0, 0, 0]\n"),
-              ElementsAre(kAt + "orientation turns the z axis by 180 degrees; quaternions are [x, "
+              ElementsAre(kAtBox + "orientation turns the z axis by 180 degrees; quaternions are [x, "
                                 "y, z, w]"));
   EXPECT_THAT(noticesOf("    orientation: [0.7071067811865476, 0, 0, 0.7071067811865476]\n"),
               IsEmpty());

@@ -41,7 +41,7 @@ struct Built {
   State state;
 };
 
-const std::string kAt = "s.yaml:8: forces[0]: ";
+const std::string kAtForce = "s.yaml:8: forces[0]: ";
 const std::string kSpring = "{type: spring, from: {body: box}, to: {world: [0, 0, 2]}, ";
 
 }  // namespace
@@ -76,18 +76,18 @@ TEST(SceneSpring, EndsInTheWorldOnAFixedBody) {
 }
 
 TEST(SceneSpring, KeepsItsRules) {
-  EXPECT_EQ(forceError(kSpring + "stiffness: -1}"), kAt + "stiffness must be >= 0 N/m, got -1");
+  EXPECT_EQ(forceError(kSpring + "stiffness: -1}"), kAtForce + "stiffness must be >= 0 N/m, got -1");
   EXPECT_EQ(forceError(kSpring + "stiffness: 1, damping: -2}"),
-            kAt + "damping must be >= 0 N s/m, got -2");
+            kAtForce + "damping must be >= 0 N s/m, got -2");
   EXPECT_EQ(forceError(kSpring + "stiffness: 1, rest_length: -2}"),
-            kAt + "rest_length must be >= 0 m, got -2");
+            kAtForce + "rest_length must be >= 0 m, got -2");
   EXPECT_EQ(forceError(kSpring + "stiffness: stiff}"),
-            kAt + "stiffness must be a number [N/m], got stiff");
+            kAtForce + "stiffness must be a number [N/m], got stiff");
   EXPECT_EQ(
       forceError(kSpring + "stifness: 1}"),
-      kAt + "unknown key 'stifness' (known: type, from, to, stiffness, damping, rest_length)");
+      kAtForce + "unknown key 'stifness' (known: type, from, to, stiffness, damping, rest_length)");
   EXPECT_EQ(forceError("{type: spring, from: {body: box}, to: {world: [0, 0, 2]}}"),
-            kAt + "missing key 'stiffness'");
+            kAtForce + "missing key 'stiffness'");
 }
 
 TEST(SceneSpring, JoinsTwoThings) {
@@ -95,20 +95,20 @@ TEST(SceneSpring, JoinsTwoThings) {
     return forceError("{type: spring, stiffness: 1, from: " + from + ", to: " + to + "}");
   };
   EXPECT_EQ(endsError("{world: [0, 0, 1]}", "{world: [0, 0, 2]}"),
-            kAt + "from and to must not both be fixed in the world");
+            kAtForce + "from and to must not both be fixed in the world");
   EXPECT_EQ(endsError("{body: table}", "{world: [0, 0, 2]}"),
-            kAt + "from and to must not both be fixed in the world");
+            kAtForce + "from and to must not both be fixed in the world");
   EXPECT_EQ(endsError("{body: box}", "{body: box, point: [0, 0, 1]}"),
-            kAt + "from and to must not be on one body, 'box'");
+            kAtForce + "from and to must not be on one body, 'box'");
   EXPECT_EQ(endsError("{body: bx}", "{world: [0, 0, 1]}"),
-            kAt + "from.body must be one of box, ball, table, got 'bx'; did you mean 'box'?");
+            kAtForce + "from.body must be one of box, ball, table, got 'bx'; did you mean 'box'?");
   const std::string rule =
       " must be {body: name, point: [x, y, z]} or {world: [x, y, z]}, got a mapping";
-  EXPECT_EQ(endsError("{body: box, world: [0, 0, 1]}", "{body: ball}"), kAt + "from" + rule);
-  EXPECT_EQ(endsError("{body: box}", "{}"), kAt + "to" + rule);
-  EXPECT_EQ(endsError("{body: box}", "{world: [0, 0, 1], point: [0, 0, 1]}"), kAt + "to" + rule);
+  EXPECT_EQ(endsError("{body: box, world: [0, 0, 1]}", "{body: ball}"), kAtForce + "from" + rule);
+  EXPECT_EQ(endsError("{body: box}", "{}"), kAtForce + "to" + rule);
+  EXPECT_EQ(endsError("{body: box}", "{world: [0, 0, 1], point: [0, 0, 1]}"), kAtForce + "to" + rule);
   EXPECT_EQ(endsError("{body: box}", "{world: [0, 0]}"),
-            kAt + "to.world must be a list of 3 numbers [m], got [0, 0]");
+            kAtForce + "to.world must be a list of 3 numbers [m], got [0, 0]");
 }
 
 TEST(SceneCentralGravity, ActsOnEveryBodyThatMoves) {
@@ -127,19 +127,19 @@ TEST(SceneCentralGravity, HasAGradientWhereAsked) {
 }
 
 TEST(SceneCentralGravity, KeepsItsRules) {
-  EXPECT_EQ(forceError("{type: central_gravity, mu: 0}"), kAt + "mu must be > 0 m^3/s^2, got 0");
-  EXPECT_EQ(forceError("{type: central_gravity}"), kAt + "missing key 'mu'");
+  EXPECT_EQ(forceError("{type: central_gravity, mu: 0}"), kAtForce + "mu must be > 0 m^3/s^2, got 0");
+  EXPECT_EQ(forceError("{type: central_gravity}"), kAtForce + "missing key 'mu'");
   EXPECT_EQ(forceError("{type: central_gravity, mu: 1, gradient: 1}"),
-            kAt + "gradient must be true or false, got 1");
+            kAtForce + "gradient must be true or false, got 1");
   EXPECT_EQ(forceError("{type: central_gravity, mu: 1, body: box}"),
-            kAt + "unknown key 'body' (known: type, center, mu, gradient)");
+            kAtForce + "unknown key 'body' (known: type, center, mu, gradient)");
 }
 
 TEST(SceneForces, AreOfAKnownType) {
   EXPECT_EQ(forceError("{type: magnet}"),
-            kAt + "type must be one of central_gravity, spring, got magnet");
-  EXPECT_EQ(forceError("{stiffness: 1}"), kAt + "missing key 'type'");
-  EXPECT_EQ(forceError("7"), kAt + "a mapping is expected, got 7");
+            kAtForce + "type must be one of central_gravity, spring, got magnet");
+  EXPECT_EQ(forceError("{stiffness: 1}"), kAtForce + "missing key 'type'");
+  EXPECT_EQ(forceError("7"), kAtForce + "a mapping is expected, got 7");
   EXPECT_EQ(errorOf(boxScene("forces: 3\n")), "s.yaml:6: forces must be a list of laws, got 3");
 }
 

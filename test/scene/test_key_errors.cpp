@@ -9,9 +9,6 @@ namespace {
 /// The scene of one body in which that body has just these lines, from line 3.
 std::string bodyScene(const std::string& lines) { return "time_step: 0.01\nbodies:\n" + lines; }
 
-std::string boxError(const std::string& more) { return errorOf(boxScene(more)); }
-
-const std::string kAt = "s.yaml:6: body 'box': ";
 
 }  // namespace
 
@@ -21,16 +18,16 @@ TEST(SceneKeys, MustBeKnown) {
             "tolerance, horizon, bodies, forces, wrenches)");
   EXPECT_EQ(
       boxError("    mas: 1\n"),
-      kAt +
+      kAtBox +
           "unknown key 'mas' (known: name, frame, shape, mass, density, inertia, center_of_mass, "
           "parts, particles, urdf, impossible_inertia, position, orientation, twist, drag, points, "
           "fixed, visual)");
   EXPECT_EQ(boxError("    twist: {fram: world}\n"),
-            kAt + "unknown key 'twist.fram' (known: frame, linear, angular)");
+            kAtBox + "unknown key 'twist.fram' (known: frame, linear, angular)");
   EXPECT_EQ(boxError("    points: {a: {pos: [0, 0, 0]}}\n"),
-            kAt + "unknown key 'points.a.pos' (known: position, orientation)");
+            kAtBox + "unknown key 'points.a.pos' (known: position, orientation)");
   EXPECT_EQ(boxError("    visual: {colour: 1}\n"),
-            kAt + "unknown key 'visual.colour' (known: mesh, scale, position, orientation, color)");
+            kAtBox + "unknown key 'visual.colour' (known: mesh, scale, position, orientation, color)");
   EXPECT_EQ(boxError("wrenches:\n  - {bodi: box}\n"),
             "s.yaml:7: wrenches[0]: unknown key 'bodi' (known: body, point, point_frame, frame, "
             "force, torque, start, duration)");
@@ -43,7 +40,7 @@ TEST(SceneKeys, MustBeThere) {
   EXPECT_EQ(errorOf("bodies: []\n"), "s.yaml:1: missing key 'time_step'");
   EXPECT_EQ(errorOf("time_step: 1\n"), "s.yaml:1: missing key 'bodies'");
   EXPECT_EQ(errorOf(bodyScene("  - mass: 1\n")), "s.yaml:3: bodies[0]: missing key 'name'");
-  EXPECT_EQ(boxError("    twist: {linear: [0, 0, 0]}\n"), kAt + "missing key 'twist.frame'");
+  EXPECT_EQ(boxError("    twist: {linear: [0, 0, 0]}\n"), kAtBox + "missing key 'twist.frame'");
   EXPECT_EQ(boxError("wrenches:\n  - {body: box, duration: 1}\n"),
             "s.yaml:7: wrenches[0]: missing key 'frame'");
   EXPECT_EQ(boxError("wrenches:\n  - {body: box, frame: box}\n"),
@@ -63,9 +60,9 @@ TEST(SceneKeys, SayOnceWhatABodyIsMadeOf) {
   EXPECT_EQ(errorOf(bodyScene(box + "    mass: 1\n    density: 1\n")),
             "s.yaml:6: body 'a': density cannot stand beside mass, got 1");
   EXPECT_EQ(boxError("    inertia: {ixx: 1, iyy: 1, izz: 1}\n"),
-            kAt + "inertia cannot stand beside shape, which gives it, got a mapping");
+            kAtBox + "inertia cannot stand beside shape, which gives it, got a mapping");
   EXPECT_EQ(boxError("    center_of_mass: [0, 0, 0]\n"),
-            kAt + "center_of_mass cannot stand beside shape, which gives it, got [0, 0, 0]");
+            kAtBox + "center_of_mass cannot stand beside shape, which gives it, got [0, 0, 0]");
   EXPECT_EQ(errorOf(bodyScene(given)), "s.yaml:3: body 'a': missing key 'mass'");
   EXPECT_EQ(errorOf(bodyScene(given + "    density: 1\n")),
             "s.yaml:5: body 'a': density needs a shape, got 1");
@@ -136,7 +133,7 @@ TEST(SceneNames, AreWordsOfLettersDigitsAndUnderscores) {
               "bytes, got " +
                   name);
   EXPECT_EQ(boxError("    points: {a-b: {}}\n"),
-            kAt + "points: 'a-b' must be a name [A-Za-z][A-Za-z0-9_]* of at most 255 bytes");
+            kAtBox + "points: 'a-b' must be a name [A-Za-z][A-Za-z0-9_]* of at most 255 bytes");
   EXPECT_EQ(errorOf("world_frame: /map\n" + boxScene()),
             "s.yaml:1: world_frame must be a frame name [A-Za-z][A-Za-z0-9_]*, parts joined by /, "
             "got /map");

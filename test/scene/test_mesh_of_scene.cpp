@@ -23,7 +23,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 /// A brick off the origin with corners that single precision holds exactly.
-TriangleMesh brick() { return translated({2, 0.5, -1}, triangulated(Box{{1, 2, 0.5}}, 0)); }
+TriangleMesh farBrick() { return translated({2, 0.5, -1}, triangulated(Box{{1, 2, 0.5}}, 0)); }
 
 MassProperties brickOf(double mass, double scale) {
   return {mass, scale * Vector3d(2, 0.5, -1),
@@ -87,12 +87,12 @@ std::string objOf(const TriangleMesh& mesh, int digits) {
   return text.str();
 }
 
-const std::string kAt = ":4: body 'a': shape.mesh";
+const std::string kAtMesh = ":4: body 'a': shape.mesh";
 
 }  // namespace
 
 TEST_F(MeshOfScene, HasTheMassAndPlaceOfItsSolid) {
-  files_.written("scenes/brick.stl", binaryStl(brick()));
+  files_.written("scenes/brick.stl", binaryStl(farBrick()));
   // the integrals of twelve triangles, a few ulp
   EXPECT_TRUE(sameMass(massOf("{file: brick.stl}"), brickOf(3, 1), 1e-15));
   EXPECT_TRUE(sameMass(massOf("{file: brick.stl}", "density: 3"), brickOf(3, 1), 1e-15));
@@ -109,8 +109,8 @@ TEST_F(MeshOfScene, IsWhatTheMassLayerSays) {
 }
 
 TEST_F(MeshOfScene, IsFoundBesideTheSceneByAbsolutePathAndInAPackage) {
-  files_.written("meshes/brick.obj", obj(brick()));
-  files_.written("somewhere/meshes/brick.obj", obj(scaled(2, brick())));
+  files_.written("meshes/brick.obj", obj(farBrick()));
+  files_.written("somewhere/meshes/brick.obj", obj(scaled(2, farBrick())));
   EXPECT_TRUE(sameMass(massOf("{file: ../meshes/brick.obj}"), brickOf(3, 1), 1e-15));
   EXPECT_TRUE(
       sameMass(massOf("{file: " + files_.path("meshes/brick.obj") + "}"), brickOf(3, 1), 1e-15));
@@ -136,9 +136,9 @@ TEST_F(MeshOfScene, SaysWhatIsWrongWithAReference) {
   const std::string rule = " must be package://<package>/<path> or a path, got ";
   for (const std::string reference : {"package://", "package://bricks", "package://bricks/",
                                       "package:///brick.stl", "http://bricks/brick.stl"})
-    EXPECT_EQ(error("{file: '" + reference + "'}"), kAt + ".file" + rule + "\"" + reference + "\"");
+    EXPECT_EQ(error("{file: '" + reference + "'}"), kAtMesh + ".file" + rule + "\"" + reference + "\"");
   EXPECT_EQ(error("{file: 'package://unknown/brick.stl'}"),
-            kAt +
+            kAtMesh +
                 ".file must name a ROS package that is on ROS_PACKAGE_PATH, got "
                 "\"package://unknown/brick.stl\"");
   try {
@@ -151,19 +151,19 @@ TEST_F(MeshOfScene, SaysWhatIsWrongWithAReference) {
 }
 
 TEST_F(MeshOfScene, KeepsTheRulesOfItsKeys) {
-  files_.written("scenes/brick.stl", binaryStl(brick()));
+  files_.written("scenes/brick.stl", binaryStl(farBrick()));
   EXPECT_EQ(error("{scale: 1}"), ":4: body 'a': missing key 'shape.mesh.file'");
-  EXPECT_EQ(error("{file: [1]}"), kAt + ".file must be a text, got [1]");
-  EXPECT_EQ(error("{file: brick.stl, scale: 0}"), kAt + ".scale must be > 0, got 0");
-  EXPECT_EQ(error("{file: brick.stl, scale: -1}"), kAt + ".scale must be > 0, got -1");
+  EXPECT_EQ(error("{file: [1]}"), kAtMesh + ".file must be a text, got [1]");
+  EXPECT_EQ(error("{file: brick.stl, scale: 0}"), kAtMesh + ".scale must be > 0, got 0");
+  EXPECT_EQ(error("{file: brick.stl, scale: -1}"), kAtMesh + ".scale must be > 0, got -1");
   EXPECT_EQ(error("{file: brick.stl, unit: mm}"),
             ":4: body 'a': unknown key 'shape.mesh.unit' (known: file, scale, solid)");
   EXPECT_EQ(error("brick.stl"),
-            kAt + " must be a mapping, got brick.stl (keys: file, scale, solid)");
+            kAtMesh + " must be a mapping, got brick.stl (keys: file, scale, solid)");
 }
 
 TEST_F(MeshOfScene, MayBeScaledAxisByAxisAndMirrored) {
-  files_.written("scenes/brick.stl", binaryStl(brick()));
+  files_.written("scenes/brick.stl", binaryStl(farBrick()));
   const Vector3d scale(-2, 0.5, 3);
   const MassProperties expected{3, scale.cwiseProduct(Vector3d(2, 0.5, -1)),
                                 massProperties(Box{Vector3d(2, 1, 1.5)}, 3).I_Bcm};
@@ -171,13 +171,13 @@ TEST_F(MeshOfScene, MayBeScaledAxisByAxisAndMirrored) {
   EXPECT_TRUE(sameMass(massProperties(scaled.bodies[0]), expected, 1e-14));
   EXPECT_TRUE(scaled.notices.empty());
   EXPECT_EQ(error("{file: brick.stl, scale: [1, 0, 1]}"),
-            kAt + ".scale must be > 0 or three numbers other than 0, got [1, 0, 1]");
+            kAtMesh + ".scale must be > 0 or three numbers other than 0, got [1, 0, 1]");
   EXPECT_EQ(error("{file: brick.stl, scale: [1, 1]}"),
-            kAt + ".scale must be a list of 3 numbers, got [1, 1]");
+            kAtMesh + ".scale must be a list of 3 numbers, got [1, 1]");
 }
 
 TEST_F(MeshOfScene, MayBeTheHullOrTheBoxOfAnOpenOne) {
-  TriangleMesh open = brick();
+  TriangleMesh open = farBrick();
   open.triangles.resize(9);  // the vertices are all in use
   const std::string path = files_.written("scenes/open.stl", binaryStl(open));
   for (const auto& [solid, name] :
@@ -187,16 +187,16 @@ TEST_F(MeshOfScene, MayBeTheHullOrTheBoxOfAnOpenOne) {
     EXPECT_TRUE(sameMass(massOf(entry, "density: 3"), brickOf(3, 1), 1e-14));
     const Scene loaded = loadScene(scene(entry));
     ASSERT_EQ(loaded.notices.size(), 1U);
-    EXPECT_EQ(loaded.notices[0], files_.path("scenes/s.yaml") + kAt + ".file: " + path +
+    EXPECT_EQ(loaded.notices[0], files_.path("scenes/s.yaml") + kAtMesh + ".file: " + path +
                                      ": solid is the " + name +
                                      " of the mesh, of 1 m^3, in place of its surface");
   }
   EXPECT_EQ(error("{file: open.stl, solid: shell}"),
-            kAt + ".solid must be surface, hull or box, got shell");
+            kAtMesh + ".solid must be surface, hull or box, got shell");
 }
 
 TEST_F(MeshOfScene, SaysWhatToDoAboutAnOpenOne) {
-  TriangleMesh open = brick();
+  TriangleMesh open = farBrick();
   open.triangles.pop_back();
   files_.written("scenes/open.stl", binaryStl(open));
   for (const char* entry : {"{file: open.stl}", "{file: open.stl, solid: surface}"}) {
@@ -238,17 +238,17 @@ TEST_F(MeshOfScene, SaysWhatIsWrongWithAFile) {
   const auto fileError = [this](const std::string& name, const std::string& content) {
     const std::string path = files_.written("scenes/" + name, content);
     const std::string line = error("{file: " + name + "}");
-    const std::string start = kAt + ".file: " + path + ": ";
+    const std::string start = kAtMesh + ".file: " + path + ": ";
     EXPECT_THAT(line, StartsWith(start));
     return line.substr(std::min(start.size(), line.size()));
   };
-  const std::string whole = binaryStl(brick());
+  const std::string whole = binaryStl(farBrick());
   std::string claim = whole;
   const std::uint32_t claimed = 43000000;  // 2 GB
   std::memcpy(&claim[80], &claimed, 4);
-  std::string with_nan = asciiStl(brick());
+  std::string with_nan = asciiStl(farBrick());
   with_nan.replace(with_nan.find("1.5"), 3, "nan");
-  TriangleMesh open = brick();
+  TriangleMesh open = farBrick();
   open.triangles.pop_back();
 
   EXPECT_EQ(fileError("cut.stl", whole.substr(0, 447)),
@@ -262,22 +262,22 @@ TEST_F(MeshOfScene, SaysWhatIsWrongWithAFile) {
   EXPECT_EQ(fileError("brick.txt", whole), "mesh file must end in .stl, .obj or .dae, got '.txt'");
 
   std::filesystem::create_directory(files_.path("scenes/directory.stl"));
-  EXPECT_EQ(error("{file: directory.stl}"), kAt + ".file: " + files_.path("scenes/directory.stl") +
+  EXPECT_EQ(error("{file: directory.stl}"), kAtMesh + ".file: " + files_.path("scenes/directory.stl") +
                                                 ": mesh file must be a regular file");
 }
 
 TEST_F(MeshOfScene, TellsThatItWasTurnedAround) {
-  const std::string path = files_.written("scenes/inward.stl", binaryStl(insideOut(brick())));
+  const std::string path = files_.written("scenes/inward.stl", binaryStl(insideOut(farBrick())));
   const Scene turned = loadScene(scene("{file: inward.stl}"));
   ASSERT_EQ(turned.notices.size(), 1U);
-  EXPECT_EQ(turned.notices[0], files_.path("scenes/s.yaml") + kAt + ".file: " + path +
+  EXPECT_EQ(turned.notices[0], files_.path("scenes/s.yaml") + kAtMesh + ".file: " + path +
                                    ": mesh is oriented inwards (volume -1 m^3): its 12 triangles "
                                    "are turned around");
   EXPECT_TRUE(sameMass(massProperties(turned.bodies[0]), brickOf(3, 1), 1e-15));
 }
 
 TEST_F(MeshOfScene, IsReadOnceForAllItsBodies) {
-  files_.written("scenes/inward.stl", binaryStl(insideOut(brick())));
+  files_.written("scenes/inward.stl", binaryStl(insideOut(farBrick())));
   const std::string entry = ", mass: 1, shape: {mesh: {file: inward.stl}}}";
   const Scene scene = loadScene(files_.written(
       "scenes/two.yaml", "time_step: 1\nbodies: [{name: a" + entry + ", {name: b" + entry + "]\n"));

@@ -23,7 +23,7 @@ std::string partError(const std::string& part) {
   return errorOf(bodyText("    parts: [" + part + "]\n"));
 }
 
-const std::string kAt = "s.yaml:4: body 'a': ";
+const std::string kAtParts = "s.yaml:4: body 'a': ";
 const std::string kTriangle =
     "[{mass: 1, position: [0, 0, 0]}, {mass: 2, position: [3, 0, 0]}, "
     "{mass: 3, position: [0, 4, 1]}]";
@@ -76,35 +76,35 @@ TEST(SceneParts, MayGiveTheirMassPropertiesInPlaceOfAShape) {
 
 TEST(SceneParts, KeepTheirRules) {
   EXPECT_EQ(errorOf(bodyText("    parts: []\n")),
-            kAt + "parts must be a list of at least one part, got []");
+            kAtParts + "parts must be a list of at least one part, got []");
   EXPECT_EQ(errorOf(bodyText("    parts: {box: 1}\n")),
-            kAt + "parts must be a list of at least one part, got a mapping");
-  EXPECT_EQ(partError("7"), kAt +
+            kAtParts + "parts must be a list of at least one part, got a mapping");
+  EXPECT_EQ(partError("7"), kAtParts +
                                 "parts[0] must be a mapping, got 7 (keys: shape, mass, density, "
                                 "inertia, center_of_mass, position, orientation)");
-  EXPECT_EQ(partError("{mass: 1}"), kAt + "parts[0]: missing key 'shape' or 'inertia'");
-  EXPECT_EQ(partError("{inertia: {ixx: 1, iyy: 1, izz: 1}}"), kAt + "parts[0]: missing key 'mass'");
+  EXPECT_EQ(partError("{mass: 1}"), kAtParts + "parts[0]: missing key 'shape' or 'inertia'");
+  EXPECT_EQ(partError("{inertia: {ixx: 1, iyy: 1, izz: 1}}"), kAtParts + "parts[0]: missing key 'mass'");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, center_of_mass: [0, 0, 0]}"),
-            kAt +
+            kAtParts +
                 "parts[0].center_of_mass cannot stand beside shape, which gives it, got "
                 "[0, 0, 0]");
   EXPECT_EQ(partError("{shape: {box: [1, 1, 1]}}"),
-            kAt + "parts[0]: missing key 'mass' or 'density' of the shape");
+            kAtParts + "parts[0]: missing key 'mass' or 'density' of the shape");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, density: 1}"),
-            kAt + "parts[0].density cannot stand beside mass, got 1");
+            kAtParts + "parts[0].density cannot stand beside mass, got 1");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 0}"),
-            kAt + "parts[0].mass must be > 0 kg, got 0");
+            kAtParts + "parts[0].mass must be > 0 kg, got 0");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, density: -1}"),
-            kAt + "parts[0].density must be > 0 kg/m^3, got -1");
-  EXPECT_EQ(partError("{shape: {}, mass: 1}"), kAt + "parts[0].shape must name one shape, got 0");
+            kAtParts + "parts[0].density must be > 0 kg/m^3, got -1");
+  EXPECT_EQ(partError("{shape: {}, mass: 1}"), kAtParts + "parts[0].shape must name one shape, got 0");
   EXPECT_EQ(partError("{shape: {box: [1, 1]}, mass: 1}"),
-            kAt + "parts[0].shape.box must be a list of 3 numbers [m], got [1, 1]");
+            kAtParts + "parts[0].shape.box must be a list of 3 numbers [m], got [1, 1]");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1}, {shape: {}, at: 1}"),
-            kAt +
+            kAtParts +
                 "unknown key 'parts[1].at' (known: shape, mass, density, inertia, center_of_mass, "
                 "position, orientation)");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, orientation: [0, 0, 0, 2]}"),
-            kAt +
+            kAtParts +
                 "parts[0].orientation must be a unit quaternion [x, y, z, w], its norm within 1e-3 "
                 "of 1, got [0, 0, 0, 2] of norm 2");
 }
@@ -123,15 +123,15 @@ TEST(SceneParticles, KeepTheirRules) {
   const auto error = [](const std::string& list) {
     return errorOf(bodyText("    particles: " + list + "\n"));
   };
-  EXPECT_EQ(error("[]"), kAt + "particles must be a list of at least one particle, got []");
-  EXPECT_EQ(error("[{mass: 1}]"), kAt + "missing key 'particles[0].position'");
-  EXPECT_EQ(error("[{position: [0, 0, 0]}]"), kAt + "missing key 'particles[0].mass'");
+  EXPECT_EQ(error("[]"), kAtParts + "particles must be a list of at least one particle, got []");
+  EXPECT_EQ(error("[{mass: 1}]"), kAtParts + "missing key 'particles[0].position'");
+  EXPECT_EQ(error("[{position: [0, 0, 0]}]"), kAtParts + "missing key 'particles[0].mass'");
   EXPECT_EQ(error("[{mass: -1, position: [0, 0, 0]}]"),
-            kAt + "particles[0].mass must be > 0 kg, got -1");
+            kAtParts + "particles[0].mass must be > 0 kg, got -1");
   EXPECT_EQ(error("[{mass: 1, position: [0, 0, 0], velocity: [1, 0, 0]}]"),
-            kAt + "unknown key 'particles[0].velocity' (known: mass, position)");
+            kAtParts + "unknown key 'particles[0].velocity' (known: mass, position)");
   EXPECT_EQ(error("[{mass: 1, position: [0, 0, 0]}, {mass: 1, position: [0, 0, 2]}]"),
-            kAt + "inertia must be positive definite, got principal moments [0, 2, 2] kg m^2");
+            kAtParts + "inertia must be positive definite, got principal moments [0, 2, 2] kg m^2");
 }
 
 TEST(SceneMatter, IsOneOfFive) {

@@ -5,8 +5,6 @@
 namespace rigid_body_sim {
 namespace {
 
-std::string boxError(const std::string& more) { return errorOf(boxScene(more)); }
-
 std::string timeStepError(const std::string& value) {
   return errorOf("time_step: " + value + "\nbodies: []\n");
 }
@@ -21,7 +19,6 @@ std::string wrenchError(const std::string& more) {
   return boxError("wrenches:\n  - {body: box, frame: box, " + more + "}\n");
 }
 
-const std::string kAt = "s.yaml:6: body 'box': ";
 const std::string kWrench = "s.yaml:7: wrenches[0]: ";
 const std::string kUnitInertia = "{ixx: 1, iyy: 1, izz: 1}";
 
@@ -44,7 +41,7 @@ TEST(SceneNumbers, AreFinite) {
               "s.yaml:1: time_step must be a finite number [s], got " + value);
   }
   EXPECT_EQ(boxError("    position: [0, .nan, 0]\n"),
-            kAt + "position[1] must be a finite number [m], got .nan");
+            kAtBox + "position[1] must be a finite number [m], got .nan");
 }
 
 TEST(SceneNumbers, ArePositiveWhereTheyMustBe) {
@@ -89,14 +86,14 @@ TEST(SceneMass, MustFitIntoADouble) {
 
 TEST(SceneLists, HaveTheirLength) {
   EXPECT_EQ(boxError("    position: [1, 2]\n"),
-            kAt + "position must be a list of 3 numbers [m], got [1, 2]");
-  EXPECT_EQ(boxError("    position: 1\n"), kAt + "position must be a list of 3 numbers [m], got 1");
+            kAtBox + "position must be a list of 3 numbers [m], got [1, 2]");
+  EXPECT_EQ(boxError("    position: 1\n"), kAtBox + "position must be a list of 3 numbers [m], got 1");
   EXPECT_EQ(errorOf("gravity:\n" + boxScene()),
             "s.yaml:1: gravity must be a list of 3 numbers [m/s^2], got nothing");
   EXPECT_EQ(boxError("    orientation: [0, 0, 1]\n"),
-            kAt + "orientation must be a list of 4 numbers, got [0, 0, 1]");
+            kAtBox + "orientation must be a list of 4 numbers, got [0, 0, 1]");
   EXPECT_EQ(boxError("    twist: {frame: body, linear: [a, 0, 0]}\n"),
-            kAt + "twist.linear[0] must be a number [m/s], got a");
+            kAtBox + "twist.linear[0] must be a number [m/s], got a");
   EXPECT_EQ(errorOf("time_step: 1\nbodies: []\n"),
             "s.yaml:2: bodies must be a list of at least one body, got []");
   EXPECT_EQ(errorOf("time_step: 1\nbodies: [7]\n"),
@@ -106,11 +103,11 @@ TEST(SceneLists, HaveTheirLength) {
 
 TEST(SceneValues, KeepTheirOtherRules) {
   EXPECT_EQ(boxError("    orientation: [0, 0, 0, 1.002]\n"),
-            kAt +
+            kAtBox +
                 "orientation must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1, "
                 "got [0, 0, 0, 1.002] of norm 1.002");
   EXPECT_EQ(boxError("    orientation: [0, 0, 0, 0]\n"),
-            kAt +
+            kAtBox +
                 "orientation must be a unit quaternion [x, y, z, w], its norm within 1e-3 of 1, "
                 "got [0, 0, 0, 0] of norm 0");
   // off by 1e-3 and no more, on either side
@@ -119,18 +116,18 @@ TEST(SceneValues, KeepTheirOtherRules) {
   EXPECT_NE(boxError("    orientation: [0, 0, 0, 0.9989999]\n"), "");
   EXPECT_NE(boxError("    orientation: [0, 0, 0, 1.0010001]\n"), "");
   EXPECT_EQ(boxError("    twist: {frame: map}\n"),
-            kAt + "twist.frame must be world or body, got map");
+            kAtBox + "twist.frame must be world or body, got map");
   for (const std::string value : {"yes", "True", "1", "\"true\""})
     EXPECT_EQ(boxError("    fixed: " + value + "\n"),
-              kAt + "fixed must be true or false, got " + value);
+              kAtBox + "fixed must be true or false, got " + value);
   EXPECT_EQ(boxError("    fixed: true\n    twist: {frame: world, linear: [1, 0, 0]}\n"),
             "s.yaml:7: body 'box': twist must be zero, for the body is fixed, got [1, 0, 0] m/s, "
             "[0, 0, 0] rad/s");
   EXPECT_EQ(boxError("    visual: {color: [1, 0, 0, 1.5]}\n"),
-            kAt + "visual.color must be [r, g, b, a], each 0 to 1, got [1, 0, 0, 1.5]");
-  EXPECT_EQ(boxError("    visual: {mesh: \"\"}\n"), kAt + "visual.mesh must be a text, got \"\"");
+            kAtBox + "visual.color must be [r, g, b, a], each 0 to 1, got [1, 0, 0, 1.5]");
+  EXPECT_EQ(boxError("    visual: {mesh: \"\"}\n"), kAtBox + "visual.mesh must be a text, got \"\"");
   EXPECT_EQ(boxError("    points: [a]\n"),
-            kAt + "points must be a mapping of names to frames, got [a]");
+            kAtBox + "points must be a mapping of names to frames, got [a]");
 }
 
 TEST(SceneWrench, KeepsItsRules) {

@@ -88,4 +88,13 @@ inline TriangleMesh triangulated(const Shape& shape, std::uint32_t n) {
   return std::visit([n](const auto& s) { return triangulated(s, n); }, shape);
 }
 
+inline TriangleMesh cube(double size = 1) { return triangulated(Box{{size, size, size}}, 0); }
+
+inline MassProperties ofDensityOne(const Shape& shape) {
+  return massProperties(shape, volume(shape));
+}
+inline MassProperties ofDensityOne(const TriangleMesh& mesh) {
+  return massProperties(mesh, volume(mesh));
+}
+
 }  // namespace rigid_body_sim

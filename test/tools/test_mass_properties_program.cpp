@@ -27,14 +27,14 @@ using ::testing::StartsWith;
 
 const std::string kConfig = RIGID_BODY_SIM_CONFIG;
 
-struct Outcome : test::Outcome {
+struct OutcomeWithError : test::Outcome {
   std::string error;  ///< what it wrote to standard error
 };
 
 class MassPropertiesProgram : public ::testing::Test {
  protected:
   /// Runs the program with the arguments, one string as a shell takes it.
-  Outcome run(const std::string& arguments) const {
+  OutcomeWithError run(const std::string& arguments) const {
     const std::string error_path = files_.path("error.txt");
     const std::string command =
         std::string(RIGID_BODY_SIM_MASS_PROPERTIES) + " " + arguments + " 2>" + error_path;
@@ -46,7 +46,7 @@ class MassPropertiesProgram : public ::testing::Test {
 
   /// The output of a run that must go well.
   std::string out(const std::string& arguments) const {
-    const Outcome outcome = run(arguments);
+    const OutcomeWithError outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     return outcome.out;
   }
@@ -66,7 +66,7 @@ class MassPropertiesProgram : public ::testing::Test {
 
   /// A run that must fail with the code and one line.
   void expectFailure(const std::string& arguments, int code, const std::string& line) const {
-    const Outcome outcome = run(arguments);
+    const OutcomeWithError outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, code) << arguments;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.error, "mass_properties: " + line + "\n");
@@ -188,7 +188,7 @@ TEST_F(MassPropertiesProgram, PrintsTheGoodLinksAndNamesTheOthers) {
                       "<joint name='j' type='fixed'><parent link='upper'/><child "
                       "link='tool_point'/></joint><joint name='k' type='fixed'><parent "
                       "link='tool_point'/><child link='finger'/></joint></robot>");
-  const Outcome outcome = run(path);
+  const OutcomeWithError outcome = run(path);
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.out, StartsWith("upper\n  mass               2 kg\n"));
   EXPECT_EQ(outcome.out.find("finger"), std::string::npos);
@@ -207,7 +207,7 @@ TEST_F(MassPropertiesProgram, UsesALinkWhoseColourItCannotRead) {
       "<link name='hub'><inertial><mass value='3'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' "
       "iyz='0' izz='1'/></inertial><visual><geometry><box size='1 1 1'/></geometry><material "
       "name='paint'/></visual></link></robot>");
-  const Outcome outcome = run(path);
+  const OutcomeWithError outcome = run(path);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, StartsWith("hub\n  mass               3 kg\n"));
   EXPECT_EQ(outcome.error, "mass_properties: notice: " + path +
@@ -252,7 +252,7 @@ TEST_F(MassPropertiesProgram, TellsThatItTurnedAMeshAround) {
       files_.written("in.stl", binaryStl(insideOut(triangulated(Box{{1, 1, 1}}, 0))));
   const std::string notice =
       path + ": mesh is oriented inwards (volume -1 m^3): its 12 triangles are turned around\n";
-  const Outcome outcome = run(path);
+  const OutcomeWithError outcome = run(path);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.error, "mass_properties: notice: " + notice);
 
@@ -261,7 +261,7 @@ TEST_F(MassPropertiesProgram, TellsThatItTurnedAMeshAround) {
   EXPECT_EQ(run(scene).error,
             "mass_properties: notice: " + scene + ":3: body 'a': shape.mesh.file: " + notice);
   // a fault has the one line to itself
-  const Outcome failed = run(path + " --mass 1e-323");  // its inertia is zero
+  const OutcomeWithError failed = run(path + " --mass 1e-323");  // its inertia is zero
   EXPECT_EQ(failed.exit_code, 1);
   EXPECT_EQ(failed.error.find("notice"), std::string::npos) << failed.error;
 }

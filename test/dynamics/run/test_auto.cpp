@@ -132,16 +132,16 @@ TEST(Auto, HoldsItsToleranceWhereTheMotionQuickensAfterTheTrialHasEnded) {
 
 // dop853 divides a step that is long beside the orbit by itself; two runs in the same parts agree.
 TEST(Auto, HoldsItsToleranceWhereAStepIsLongBesideTheOrbit) {
-  constexpr double kStep = 0.01, kRadius = 2;
+  constexpr double kTimeStep = 0.01, kRadius = 2;
   for (double turn_a_step : {0.3, 1.0, 2.0, 3.0, 10.0}) {
-    const double w = turn_a_step / kStep;
+    const double w = turn_a_step / kTimeStep;
     Bench bench;
     BodyFrameMotion motion = tumbling({0, kRadius * w, 0}, {0, 0, 0});
     motion.x_W = {kRadius, 0, 0};
     bench.add(principalBody("moon", 1, {1, 1, 1}), motion);
     bench.addCentralGravity(0, {0, 0, 0}, w * w * std::pow(kRadius, 3), false);
     bench.world.solver.horizon = 1;
-    Simulation sim = bench.simulation("auto", kStep);
+    Simulation sim = bench.simulation("auto", kTimeStep);
     while (sim.steps() < 100) sim.step();
     const Vector3d circle(kRadius * std::cos(w), kRadius * std::sin(w), 0);
     // of the path flown; the phase is known to w roundings

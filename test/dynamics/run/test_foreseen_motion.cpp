@@ -13,7 +13,7 @@ namespace {
 
 using test::Bench;
 
-constexpr double kStep = 0.01;
+constexpr double kForeseenStep = 0.01;
 
 PointWrench drawWrench(Draw& draw, std::size_t body, double now) {
   PointWrench push;
@@ -58,7 +58,7 @@ void disturb(Draw& draw, Simulation& sim) {
   if (what > 0.1 && what < 0.11) sim.trackBalance();
   if (what > 0.11 && what < 0.12) sim.trackError();
   if (what > 0.12 && what < 0.14) sim.stopTracking();
-  if (what > 0.14 && what < 0.15) sim.sample(sim.time() + draw.uniform(0, kStep));
+  if (what > 0.14 && what < 0.15) sim.sample(sim.time() + draw.uniform(0, kForeseenStep));
 }
 
 void expectSameBits(const State& a, const State& b, const std::string& at) {
@@ -77,7 +77,7 @@ void expectSameBits(const State& a, const State& b, const std::string& at) {
 TEST(ForeseenMotion, HasTheSameBitsHoweverOftenItIsRead) {
   const Bench bench = everyKindOfBody();
   for (unsigned seed = 0; seed < 6; ++seed) {
-    Simulation read = bench.simulation("auto", kStep), unread = read, seldom_read = read;
+    Simulation read = bench.simulation("auto", kForeseenStep), unread = read, seldom_read = read;
     Draw for_read(seed), for_unread(seed), for_seldom(seed);
     for (int i = 0; i < 300; ++i) {
       disturb(for_read, read);
