@@ -9,8 +9,8 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr std::size_t kMostWork = 50000000;      // solid angles or so: a second or two
-constexpr std::size_t kMostCrossings = 4000000;  // pairs of triangles
+constexpr std::size_t kMaxWork = 50000000;      // solid angles or so: a second or two
+constexpr std::size_t kMaxCrossings = 4000000;  // pairs of triangles
 
 /// Where points of one shell lie to another; those on its surface, or nearly so, are neither.
 struct Sides {
@@ -55,7 +55,7 @@ class Comparison {
                            (relation == Relation::kAround && !putWithin(j, i));
       if (overlap && nesting_.overlaps++ == 0) nesting_.first_overlap = {i, j};
     }
-    return work_ <= kMostWork;
+    return work_ <= kMaxWork;
   }
 
   /// False where the outer one is not larger, as only surfaces that pass through each other make
@@ -102,7 +102,7 @@ class Comparison {
   bool doCross(const Shell& i, const Shell& j) {
     const CommonTriangles common = commonTriangles(mesh_, i, j);
     work_ += i.triangles.size() + j.triangles.size();
-    if (common.pairs() > kMostCrossings) return false;
+    if (common.pairs() > kMaxCrossings) return false;
     work_ += common.pairs() / 8;
     const double size = std::min(i.box.diagonal().norm(), j.box.diagonal().norm());
     return cross(mesh_, common, 1e-6 * size);

@@ -49,7 +49,7 @@ void requireWritten(std::FILE* out) {
 }
 
 void requireCountable(double duration, double length, const std::string& things) {
-  if (duration / length <= kMostSteps) return;
+  if (duration / length <= kMaxSteps) return;
   std::ostringstream fault;
   fault << "a duration of " << duration << " s must be at most 2^53 " << things << " of " << length
         << " s";

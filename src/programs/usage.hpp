@@ -31,7 +31,7 @@ double positiveNumber(const std::string& option, const char* text);
 /// Throws std::runtime_error where what was written to an output does not get there.
 void requireWritten(std::FILE* out);
 
-/// Throws UsageError for a duration of more than kMostSteps of the given length [s]. things: what
+/// Throws UsageError for a duration of more than kMaxSteps of the given length [s]. things: what
 /// each of them is, such as "steps".
 void requireCountable(double duration, double length, const std::string& things);
 

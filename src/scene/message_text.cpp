@@ -54,11 +54,11 @@ std::string nameList(const std::vector<std::string>& names) {
 }
 
 std::string didYouMean(const std::string& text, const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNames = 10000;  // a message is no reason to wait
+  constexpr std::size_t kMaxNames = 10000;  // a message is no reason to wait
   const std::size_t most = text.size() <= 3 ? 1 : 2;
   std::size_t least = most + 1;
   std::string nearest;
-  for (std::size_t i = 0; i < names.size() && i < kMostNames; ++i) {
+  for (std::size_t i = 0; i < names.size() && i < kMaxNames; ++i) {
     const std::size_t length = names[i].size();
     if (std::max(length, text.size()) - std::min(length, text.size()) > most) continue;
     const std::size_t edits = editDistance(text, names[i]);

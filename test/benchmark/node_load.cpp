@@ -60,7 +60,7 @@ class NodeLoad {
         probe();
         // at any time between two messages, not just after one
         next_probe =
-            now() + std::uniform_real_distribution<double>(kLeastPause, kMostPause)(random_);
+            now() + std::uniform_real_distribution<double>(kLeastPause, kMaxPause)(random_);
       }
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.0001));
     }
@@ -122,8 +122,8 @@ class NodeLoad {
   ros::NodeHandle nh_;
   std::vector<ros::Publisher> wrenches_;
   std::vector<ros::Subscriber> odometry_;
-  static constexpr double kRounding = 1e-9;                         // [m/s] of velocities below 1
-  static constexpr double kLeastPause = 0.025, kMostPause = 0.035;  // [s] two messages at 100 Hz
+  static constexpr double kRounding = 1e-9;                        // [m/s] of velocities below 1
+  static constexpr double kLeastPause = 0.025, kMaxPause = 0.035;  // [s] two messages at 100 Hz
 
   std::mt19937 random_{1};
   double force_ = -1;  // [N] of the last probe

@@ -16,12 +16,12 @@ namespace rigid_body_sim::peers {
 template <class Make, class Execute>
 Run timedRun(const std::string& setting, const Make& make, const Execute& execute) {
   constexpr double kBudget = 0.01;  // [s]
-  constexpr int kMostRuns = 100;
+  constexpr int kMaxRuns = 100;
   Run run;
   run.setting = setting;
   run.seconds = std::numeric_limits<double>::infinity();
   double sum = 0;
-  for (int k = 0; k < kMostRuns && sum < kBudget; ++k) {
+  for (int k = 0; k < kMaxRuns && sum < kBudget; ++k) {
     auto start = make();
     const double begin = cpuTime();
     execute(*start);

@@ -25,25 +25,25 @@ std::string items(const std::string& key, std::size_t count) {
 }  // namespace
 
 TEST(SceneLimit, IsOneOfBytesForATextToo) {
-  EXPECT_EQ(errorOf(std::string(kMostSceneBytes + 1, '#')), "s.yaml: is larger than 64 MiB");
+  EXPECT_EQ(errorOf(std::string(kMaxSceneBytes + 1, '#')), "s.yaml: is larger than 64 MiB");
 }
 
 TEST(SceneLimit, IsOneOfValues) {
-  EXPECT_EQ(errorOf("gravity: [" + repeated("1,", kMostValues - 2) + "]"),
+  EXPECT_EQ(errorOf("gravity: [" + repeated("1,", kMaxValues - 2) + "]"),
             "s.yaml:1: missing key 'time_step'");
-  EXPECT_EQ(errorOf("gravity:\n- [" + repeated("1,", kMostValues) + "]"),
+  EXPECT_EQ(errorOf("gravity:\n- [" + repeated("1,", kMaxValues) + "]"),
             "s.yaml:2: a scene must hold at most 8000000 values");
 }
 
 TEST(SceneLimit, IsOneOfBodies) {
-  EXPECT_EQ(errorOf("time_step: 1\n" + items("bodies", kMostBodies)),
+  EXPECT_EQ(errorOf("time_step: 1\n" + items("bodies", kMaxBodies)),
             "s.yaml:3: bodies[0]: a mapping is expected, got 1");
-  EXPECT_EQ(errorOf("time_step: 1\n" + items("bodies", kMostBodies + 1)),
+  EXPECT_EQ(errorOf("time_step: 1\n" + items("bodies", kMaxBodies + 1)),
             "s.yaml:2: bodies must hold at most 200000 bodies, got 200001");
 }
 
 TEST(SceneLimit, IsOneOfLaws) {
-  EXPECT_EQ(errorOf(boxScene(items("forces", kMostForces + 1))),
+  EXPECT_EQ(errorOf(boxScene(items("forces", kMaxForces + 1))),
             "s.yaml:6: forces must hold at most 200000 laws, got 200001");
 }
 
@@ -54,13 +54,13 @@ TEST(SceneLimit, IsOneOfWrenches) {
 
 TEST(SceneLimit, IsOneOfThePointsOfABody) {
   std::string points = "    points:\n";
-  for (std::size_t i = 0; i <= kMostPoints; ++i) points += "      p" + std::to_string(i) + ": {}\n";
+  for (std::size_t i = 0; i <= kMaxPoints; ++i) points += "      p" + std::to_string(i) + ": {}\n";
   EXPECT_EQ(errorOf(boxScene(points)),
             "s.yaml:6: body 'box': points must hold at most 10000 points, got 10001");
 }
 
 TEST(SceneLimit, IsOneOfTheLengthOfATextAndOfAKey) {
-  const std::string longest(kMostTextBytes, 'a');
+  const std::string longest(kMaxTextBytes, 'a');
   EXPECT_EQ(errorOf("integrator: " + longest + "a\n"),
             "s.yaml:1: a text must have at most 4096 bytes, got 4097");
   EXPECT_EQ(errorOf("? " + longest + "a\n: 1\n"),
@@ -73,8 +73,8 @@ TEST(SceneLimit, IsOneOfTheLengthOfAName) {
     return "time_step: 1\nbodies:\n- {name: " + std::string(length, 'a') +
            ", shape: {sphere: {radius: 1}}, mass: 1}\n";
   };
-  EXPECT_EQ(errorOf(named(kMostNameBytes)), "");
-  EXPECT_EQ(errorOf(named(kMostNameBytes + 1)),
+  EXPECT_EQ(errorOf(named(kMaxNameBytes)), "");
+  EXPECT_EQ(errorOf(named(kMaxNameBytes + 1)),
             "s.yaml:3: bodies[0]: name must be a name [A-Za-z][A-Za-z0-9_]* of at most 255 bytes, "
             "got " +
                 std::string(60, 'a') + "...");

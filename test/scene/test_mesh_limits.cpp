@@ -59,13 +59,13 @@ const std::string kNotUrdf = "is not a URDF file that can be read: ";
 }  // namespace
 
 TEST_F(MeshLimit, IsOneOfBytes) {
-  EXPECT_EQ(refusalOfSize("large.stl", kMostMeshBytes + 1), "is larger than 256 MiB");
-  EXPECT_EQ(refusalOfSize("large.dae", kMostDaeBytes + 1), "is larger than 64 MiB");
+  EXPECT_EQ(refusalOfSize("large.stl", kMaxMeshBytes + 1), "is larger than 256 MiB");
+  EXPECT_EQ(refusalOfSize("large.dae", kMaxDaeBytes + 1), "is larger than 64 MiB");
 }
 
 TEST_F(MeshLimit, IsOneOfTriangles) {
   std::string face = "v 0 0 0\nf";
-  for (std::size_t i = 0; i < kMostTriangles + 3; ++i) face += " 1";
+  for (std::size_t i = 0; i < kMaxTriangles + 3; ++i) face += " 1";
   EXPECT_EQ(refusal("fan.obj", face), "mesh must have at most 10000000 triangles");
 }
 

@@ -93,7 +93,7 @@ class WrenchMessages {
   void add(const ros::Time& arrival, const Resolve& resolve) {
     const double h = world_.solver.time_step;
     const double step = std::ceil(origin.simulationTime(arrival) / h - 1e-6);
-    if (step > kMostSteps)
+    if (step > kMaxSteps)
       throw std::invalid_argument("holds a message at more than 2^53 steps of the scene");
     try {
       inputs.push_back({static_cast<std::uint64_t>(step), resolve(step * h)});

@@ -6,7 +6,7 @@ namespace rigid_body_sim {
 namespace {
 
 /// More would be a loop.
-constexpr int kMostLinks = 100;
+constexpr int kMaxFrameDepth = 100;
 
 Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
   const geometry_msgs::Quaternion& q = transform.rotation;
@@ -27,7 +27,7 @@ void StaticFrames::lookUp(const std::string& name, FrameTable& table) const {
   std::string root = name;
   for (int links = 0; !table.find(root); ++links) {
     const std::string child = root;
-    if (links == kMostLinks || !buffer_._getParent(child, ros::Time(), root)) return;
+    if (links == kMaxFrameDepth || !buffer_._getParent(child, ros::Time(), root)) return;
   }
   if (root == name) return;
   table.attach(name, root, toIsometry(buffer_.lookupTransform(root, name, ros::Time()).transform));

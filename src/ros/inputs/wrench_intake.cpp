@@ -15,9 +15,9 @@ namespace {
 
 /// The name of a slot is kept with every wrench that acts or is to come.
 void requireShort(const char* key, const std::string& name) {
-  if (name.size() <= kMostTextBytes) return;
+  if (name.size() <= kMaxTextBytes) return;
   throw std::invalid_argument(std::string(key) + " must have at most " +
-                              std::to_string(kMostTextBytes) + " bytes, got " +
+                              std::to_string(kMaxTextBytes) + " bytes, got " +
                               std::to_string(name.size()));
 }
 

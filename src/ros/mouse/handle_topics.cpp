@@ -16,7 +16,7 @@ using visualization_msgs::InteractiveMarkerUpdate;
 
 constexpr std::uint32_t kHandleQueue = 100;
 constexpr bool kLatched = true;
-constexpr std::chrono::milliseconds kPeriod(500);
+constexpr std::chrono::milliseconds kKeepAlivePeriod(500);
 
 }  // namespace
 
@@ -66,7 +66,7 @@ void HandleTopics::publishAll() {
 
 void HandleTopics::keepAlive(Clock::time_point now) {
   if (now < next_keep_alive_) return;
-  next_keep_alive_ = now + kPeriod;
+  next_keep_alive_ = now + kKeepAlivePeriod;
   if (update_.getNumSubscribers() == 0) return;
   InteractiveMarkerUpdate update;
   update.server_id = ros::this_node::getName();

@@ -5,7 +5,7 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr std::chrono::seconds kPeriod(1);
+constexpr std::chrono::seconds kMonitorPeriod(1);
 constexpr std::uint32_t kMonitorQueue = 10;
 
 }  // namespace
@@ -39,7 +39,7 @@ void Monitor::track(bool wanted) {
 
 void Monitor::report(Health health, Clock::time_point now) {
   track(hasSubscribers());
-  next_report_ = now + kPeriod;
+  next_report_ = now + kMonitorPeriod;
   const std::chrono::duration<double> elapsed = now - last_report_;
   const double advanced = simulation_.time() - last_t_;
   restart(now);

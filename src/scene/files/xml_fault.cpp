@@ -47,8 +47,8 @@ std::string xmlFault(const std::string& xml) {
     if (at < xml.size() && xml[at] == '<') return "a < within a tag";
     if (kind == '/')
       depth -= std::min<std::size_t>(depth, 1);
-    else if (kind != '?' && kind != '!' && xml[at - 1] != '/' && ++depth > kMostXmlDepth)
-      return "elements nested deeper than " + std::to_string(kMostXmlDepth) + " levels";
+    else if (kind != '?' && kind != '!' && xml[at - 1] != '/' && ++depth > kMaxXmlDepth)
+      return "elements nested deeper than " + std::to_string(kMaxXmlDepth) + " levels";
   }
   return "";
 }

@@ -103,8 +103,8 @@ Points normalsOfLargest(const TriangleMesh& hull, std::size_t most) {
 }
 
 AlongAxes turnedWhileItShrinks(AlongAxes box, const Points& points) {
-  constexpr int kMostTurns = 12;
-  for (int turn = 0, in_vain = 0; turn < kMostTurns && in_vain < 3; ++turn) {
+  constexpr int kMaxTurns = 12;
+  for (int turn = 0, in_vain = 0; turn < kMaxTurns && in_vain < 3; ++turn) {
     const AlongAxes turned = smallestAbout(box.axes.col(turn % 3), points);
     const bool shrinks = turned.volume() < (1 - 1e-9) * box.volume();
     if (shrinks) box = turned;

@@ -117,13 +117,13 @@ class GeometryReader {
   }
 
   Input inputOf(const DaeElement& primitives) {
-    constexpr std::size_t kMostInputs = 1000;
+    constexpr std::size_t kMaxInputs = 1000;
     Input input;
     bool found = false;
     for (const auto* e = primitives.FirstChildElement("input"); e;
          e = e->NextSiblingElement("input")) {
       const std::size_t offset = indexAttribute(*e, "offset", 0);
-      if (offset >= kMostInputs) failAt(*e, "offset must be below 1000");
+      if (offset >= kMaxInputs) failAt(*e, "offset must be below 1000");
       input.stride = std::max(input.stride, offset + 1);
       if (!e->Attribute("semantic", "VERTEX")) continue;
       input.offset = offset;

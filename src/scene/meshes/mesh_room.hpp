@@ -11,8 +11,8 @@ namespace rigid_body_sim {
 
 /// Throws std::runtime_error, one line, where a mesh has as many triangles as it may have.
 inline void requireRoom(const TriangleMesh& mesh) {
-  if (mesh.triangles.size() >= kMostTriangles)
-    throw std::runtime_error("mesh must have at most " + std::to_string(kMostTriangles) +
+  if (mesh.triangles.size() >= kMaxTriangles)
+    throw std::runtime_error("mesh must have at most " + std::to_string(kMaxTriangles) +
                              " triangles");
 }
 

@@ -77,11 +77,11 @@ class SceneReader {
   }
 
   void readNode(const DaeElement& node, const Eigen::Affine3d& X_parent, std::size_t depth) {
-    if (depth > kMostXmlDepth)
-      failAt(node, "must lie within at most " + std::to_string(kMostXmlDepth) +
+    if (depth > kMaxXmlDepth)
+      failAt(node, "must lie within at most " + std::to_string(kMaxXmlDepth) +
                        " nodes, and not within itself");
-    if (++nodes_ > kMostDaeNodes)
-      failAt(node, "must be one of at most " + std::to_string(kMostDaeNodes) +
+    if (++nodes_ > kMaxDaeNodes)
+      failAt(node, "must be one of at most " + std::to_string(kMaxDaeNodes) +
                        " nodes, instances counted");
     Eigen::Affine3d X = X_parent;
     for (const auto* e = node.FirstChildElement(); e; e = e->NextSiblingElement())
@@ -107,7 +107,7 @@ class SceneReader {
     const DaeElement* bend = controller.FirstChildElement("skin");
     if (!bend) bend = &requiredChild(controller, "morph");
     const DaeElement& source = document_.referred(*bend, "source");
-    if (depth < kMostXmlDepth && isNamed(source, "controller")) return skinned(source, depth + 1);
+    if (depth < kMaxXmlDepth && isNamed(source, "controller")) return skinned(source, depth + 1);
     return document_.referred(*bend, "source", "geometry");
   }
 

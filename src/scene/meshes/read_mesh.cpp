@@ -64,7 +64,7 @@ FileMesh readMesh(const std::string& path, const Vector3d& scale) {
   FileMesh read;
   if (fault.empty()) {
     std::string bytes =
-        readFile(path, "mesh file", extension == ".dae" ? kMostDaeBytes : kMostMeshBytes);
+        readFile(path, "mesh file", extension == ".dae" ? kMaxDaeBytes : kMaxMeshBytes);
     try {
       read = meshIn(std::move(bytes), extension);
       fault = meshFault(read.mesh);

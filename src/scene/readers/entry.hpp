@@ -106,7 +106,7 @@ bool readBoolean(const Entry& value);
 std::string readText(const Entry& value);
 std::string readTextOrNone(const Entry& value);  ///< may be empty
 
-/// A name of a body or point: [A-Za-z][A-Za-z0-9_]*, at most kMostNameBytes long
+/// A name of a body or point: [A-Za-z][A-Za-z0-9_]*, at most kMaxNameBytes long
 std::string readName(const Entry& value);
 bool isName(std::string_view text);
 

@@ -30,7 +30,7 @@ std::string readWorldFrame(const Entry& value) {
 
 std::vector<BodyDef> readBodies(const Entry& value) {
   const std::string rule = "must be a list of at least one body";
-  value.checkCount(kMostBodies, "bodies");
+  value.checkCount(kMaxBodies, "bodies");
   std::vector<BodyDef> bodies;
   bodies.reserve(value.node().children.size());
   for (const Entry& item : value.items(rule)) bodies.push_back(readBody(item));
@@ -39,7 +39,7 @@ std::vector<BodyDef> readBodies(const Entry& value) {
 }
 
 std::vector<ForceDef> readForces(const Entry& value) {
-  value.checkCount(kMostForces, "laws");
+  value.checkCount(kMaxForces, "laws");
   std::vector<ForceDef> forces;
   for (const Entry& item : value.items("must be a list of laws")) forces.push_back(readForce(item));
   return forces;
@@ -73,7 +73,7 @@ void refuseIdleTolerance(const Entry& root, const Scene& scene) {
 
 /// Time is step count times step.
 void refuseUncountableSteps(const Entry& root, const Scene& scene) {
-  if (scene.horizon / scene.time_step <= kMostSteps) return;
+  if (scene.horizon / scene.time_step <= kMaxSteps) return;
   std::ostringstream rule;
   rule << "must divide the horizon of " << scene.horizon << " s into at most 2^53 steps";
   root.child(*root.node().find("time_step")).failRule(rule.str());
@@ -131,7 +131,7 @@ Scene loadScene(const std::string& path, const PackageFinder& find_package) {
   context.source = path;
   context.directory = std::filesystem::path(path).parent_path();
   context.find_package = find_package;
-  return readScene(readFile(path, "scene file", kMostSceneBytes), std::move(context));
+  return readScene(readFile(path, "scene file", kMaxSceneBytes), std::move(context));
 }
 
 }  // namespace rigid_body_sim

@@ -44,7 +44,7 @@ PointDef readPoint(const Entry& entry) {
 std::vector<PointDef> readPoints(const Entry& entry) {
   if (entry.node().kind != YamlNode::Kind::kMapping)
     entry.failRule("must be a mapping of names to frames");
-  entry.checkCount(kMostPoints, "points");
+  entry.checkCount(kMaxPoints, "points");
   std::vector<PointDef> points;
   for (const YamlNode& node : entry.node().children) points.push_back(readPoint(entry.child(node)));
   return points;

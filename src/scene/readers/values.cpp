@@ -95,7 +95,7 @@ std::string readTextOrNone(const Entry& value) {
 }
 
 bool isName(std::string_view text) {
-  if (text.empty() || text.size() > kMostNameBytes || !isLetter(text[0])) return false;
+  if (text.empty() || text.size() > kMaxNameBytes || !isLetter(text[0])) return false;
   for (const char c : text) {
     if (!isLetter(c) && !isDigit(c) && c != '_') return false;
   }
@@ -103,7 +103,7 @@ bool isName(std::string_view text) {
 }
 
 std::string nameRule() {
-  return "must be a name [A-Za-z][A-Za-z0-9_]* of at most " + std::to_string(kMostNameBytes) +
+  return "must be a name [A-Za-z][A-Za-z0-9_]* of at most " + std::to_string(kMaxNameBytes) +
          " bytes";
 }
 
@@ -114,7 +114,7 @@ std::string readName(const Entry& value) {
 }
 
 bool isFrameName(std::string_view text) {
-  if (text.empty() || text.size() > kMostNameBytes || text.front() == '/' || text.back() == '/')
+  if (text.empty() || text.size() > kMaxNameBytes || text.front() == '/' || text.back() == '/')
     return false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
@@ -126,7 +126,7 @@ bool isFrameName(std::string_view text) {
 
 std::string frameNameRule() {
   return "must be a frame name: letters, digits, _, - and ., parts joined by /, at most " +
-         std::to_string(kMostNameBytes) + " bytes";
+         std::to_string(kMaxNameBytes) + " bytes";
 }
 
 std::string readFrameName(const Entry& value) {

@@ -72,8 +72,8 @@ class TreeBuilder {
   }
 
   void takeScalar(const YamlEvent& event) {
-    if (event.text.size() > kMostTextBytes)
-      fail(event, "a text must have at most " + std::to_string(kMostTextBytes) + " bytes, got " +
+    if (event.text.size() > kMaxTextBytes)
+      fail(event, "a text must have at most " + std::to_string(kMaxTextBytes) + " bytes, got " +
                       std::to_string(event.text.size()));
     if (expectsKey() && !event.isNull()) return takeKey(event);
     YamlNode& node = add(event.isNull() ? YamlNode::Kind::kEmpty : YamlNode::Kind::kScalar, event);
@@ -106,8 +106,8 @@ class TreeBuilder {
   YamlNode& add(YamlNode::Kind kind, const YamlEvent& event) {
     refuseDecorations(event);
     if (expectsKey()) fail(event, "a key must be a word");
-    if (++nodes_ > kMostValues)
-      fail(event, "a scene must hold at most " + std::to_string(kMostValues) + " values");
+    if (++nodes_ > kMaxValues)
+      fail(event, "a scene must hold at most " + std::to_string(kMaxValues) + " values");
     YamlNode& node = open_.empty() ? document_.root : open_.back().node->children.emplace_back();
     node.kind = kind;
     node.line = event.line;
@@ -119,8 +119,8 @@ class TreeBuilder {
   }
 
   void open(YamlNode& node, const YamlEvent& event) {
-    if (open_.size() >= kMostDepth)
-      fail(event, "nested deeper than " + std::to_string(kMostDepth) + " levels");
+    if (open_.size() >= kMaxDepth)
+      fail(event, "nested deeper than " + std::to_string(kMaxDepth) + " levels");
     open_.push_back({&node, false, {}, 0, {}});
   }
 
@@ -152,9 +152,9 @@ std::string_view TextStore::add(std::string_view text) {
 }
 
 YamlDocument parseYaml(const std::string& yaml_text, const std::string& source_name) {
-  if (yaml_text.size() > kMostSceneBytes)
+  if (yaml_text.size() > kMaxSceneBytes)
     throw SceneError(source_name, 0,
-                     "is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
+                     "is larger than " + std::to_string(kMaxSceneBytes >> 20) + " MiB");
   TreeBuilder builder(source_name);
   readYamlEvents(yaml_text, source_name, [&](const YamlEvent& event) { builder.take(event); });
   return builder.finish();

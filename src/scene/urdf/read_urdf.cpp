@@ -19,8 +19,8 @@ void checkLinkCount(const std::string& xml) {
   std::size_t count = 0;
   for (std::size_t at = xml.find("<link"); at != std::string::npos; at = xml.find("<link", at + 1))
     ++count;
-  if (count > kMostLinks)
-    throw std::runtime_error("must hold at most " + std::to_string(kMostLinks) + " links, got " +
+  if (count > kMaxLinks)
+    throw std::runtime_error("must hold at most " + std::to_string(kMaxLinks) + " links, got " +
                              std::to_string(count));
 }
 
@@ -87,7 +87,7 @@ UrdfRobot toRobot(ParsedUrdf parsed, const std::filesystem::path& directory) {
 }  // namespace
 
 UrdfRobot readUrdf(const std::string& path) {
-  const std::string xml = readFile(path, "URDF file", kMostUrdfBytes);
+  const std::string xml = readFile(path, "URDF file", kMaxUrdfBytes);
   try {
     checkLinkCount(xml);
     return toRobot(parseUrdf(xml), std::filesystem::path(path).parent_path());

@@ -21,8 +21,8 @@ std::string sceneName(const std::string& text, const std::string& prefix) {
   for (char& c : name)
     if (!isLetter(c) && !isDigit(c)) c = '_';
   const bool stands = !name.empty() && isLetter(name[0]) && name != Scene().world_frame;
-  if (stands && name == text && name.size() <= kMostNameBytes) return name;
-  name.resize(std::min(name.size(), kMostNameBytes - kRoom));
+  if (stands && name == text && name.size() <= kMaxNameBytes) return name;
+  name.resize(std::min(name.size(), kMaxNameBytes - kRoom));
   return stands ? name : prefix + name;
 }
 

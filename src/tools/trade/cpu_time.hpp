@@ -22,7 +22,7 @@ inline double cpuTime() {
 template <class Start, class Run>
 double leastCpuTime(const Start& start, const Run& run, double budget) {
   constexpr double kShortest = 20e-6;  // [s] some hundred times what reading the clock takes
-  constexpr int kMostRuns = 200;
+  constexpr int kMaxRuns = 200;
   const auto timed = [&](int copies) {
     std::vector<Start> fresh(static_cast<std::size_t>(copies), start);
     const double begin = cpuTime();
@@ -33,7 +33,7 @@ double leastCpuTime(const Start& start, const Run& run, double budget) {
   const double first = timed(1);
   const int copies = static_cast<int>(std::clamp(kShortest / std::max(first, 1e-9), 1.0, 100.0));
   double least = std::numeric_limits<double>::infinity();
-  for (int runs = 0; runs < kMostRuns; ++runs) {
+  for (int runs = 0; runs < kMaxRuns; ++runs) {
     least = std::min(least, timed(copies));
     if (cpuTime() - begin > budget) break;
   }

@@ -41,9 +41,9 @@ std::vector<std::string> integratorsFor(const World& world, const State& initial
 
 void climbLadder(const World& world, const Reference& reference, const std::string& integrator,
                  const std::function<void(const Setting&)>& measured, const Patience& patience) {
-  constexpr int kMostHalvings = 24, kMostDoublings = 10;
+  constexpr int kMaxHalvings = 24, kMaxDoublings = 10;
   constexpr double kFewestSteps = 8;  // that the duration is to be taken in
-  constexpr double kMostSteps = 3e6;  // for a row that fails at every longer step
+  constexpr double kMaxSteps = 3e6;   // for a row that fails at every longer step
   constexpr double kLost = 1;         // [rad, relative] beyond it, the error says no more
   const double h = world.solver.time_step;
   std::optional<Setting> setting = tryMeasuring(world, reference, integrator, h, patience);
@@ -52,10 +52,10 @@ void climbLadder(const World& world, const Reference& reference, const std::stri
 
   double step = h / 2;
   double last_error = setting ? setting->errors.bounded() : 1;
-  for (int k = 0; k < kMostHalvings; ++k, step /= 2) {
+  for (int k = 0; k < kMaxHalvings; ++k, step /= 2) {
     if (setting && 2e-9 * setting->cpu_ns_per_sim_s * reference.duration > patience.longest_run)
       break;
-    if (reference.duration / step > kMostSteps) break;
+    if (reference.duration / step > kMaxSteps) break;
     const double begin = cpuTime();
     setting = tryMeasuring(world, reference, integrator, step, patience);
     if (!setting && cpuTime() - begin > patience.longest_run) break;
@@ -67,7 +67,7 @@ void climbLadder(const World& world, const Reference& reference, const std::stri
   }
 
   step = 2 * h;
-  for (int k = 0; !lost && k < kMostDoublings; ++k, step *= 2) {
+  for (int k = 0; !lost && k < kMaxDoublings; ++k, step *= 2) {
     if (step > reference.duration / kFewestSteps) break;
     setting = tryMeasuring(world, reference, integrator, step, patience);
     if (!setting) break;

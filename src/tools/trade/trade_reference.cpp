@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kInstants = 200;  // at which motions are compared
 // bound on the work of one run, in steps of strang with one body: seconds
-constexpr double kMostWork = 1e7;
+constexpr double kMaxWork = 1e7;
 
 using Track = std::vector<State>;
 
@@ -45,7 +45,7 @@ Run runOf(const World& world, const State& initial, const std::string& integrato
           int parts) {
   Simulation simulation(withSolver(world, integrator, duration / kInstants / parts), initial);
   const Method& method = methodNamed(integrator);
-  const double most_evaluations = 2 * kMostWork / method.cost * method.evaluations;
+  const double most_evaluations = 2 * kMaxWork / method.cost * method.evaluations;
   Track track{initial};
   for (int k = 0; k < kInstants; ++k) {
     for (int i = 0; i < parts; ++i) {
@@ -70,12 +70,12 @@ Track refined(const World& world, const State& initial, const std::string& integ
   Track best;
   Run last{{}, 0};
   double least = std::numeric_limits<double>::infinity();
-  for (int parts = 1; parts == 1 || parts * work < kMostWork; parts *= 2) {
+  for (int parts = 1; parts == 1 || parts * work < kMaxWork; parts *= 2) {
     Run run;
     try {
       run = runOf(world, initial, integrator, duration, parts);
     } catch (const SimulationDiverged&) {
-      if (2 * parts * work >= kMostWork && best.empty()) throw;
+      if (2 * parts * work >= kMaxWork && best.empty()) throw;
       continue;
     }
     // a row that divides long steps by itself would only agree with itself
