@@ -14,7 +14,6 @@ function(rigid_body_sim_rostest name)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME test_${name})
   target_link_libraries(${target} rigid_body_sim_node_driver ${ARGN} rigid_body_sim_options)
   target_precompile_headers(${target} REUSE_FROM rigid_body_sim_test_math)
-  # it only sends, waits and compares: optimising it takes longer than it saves
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   add_dependencies(${target} ${programs})
   target_compile_definitions(${target} PRIVATE ${program_definitions}
