@@ -19,9 +19,7 @@ function(rigid_body_sim_gtest name)
   # what is tested is compiled as users compile it; optimising the tests, or looking for undefined
   # behaviour in their own lines, takes longer than it saves
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  if(RIGID_BODY_SIM_SANITIZE)
-    target_compile_options(${target} PRIVATE -fno-sanitize=undefined)
-  endif()
+  set_target_properties(${target} PROPERTIES RIGID_BODY_SIM_TEST ON)
   if(name STREQUAL math)
     target_precompile_headers(${target} PRIVATE ${precompiled_headers} <gtest/gtest.h>)
   else()
