@@ -1,12 +1,9 @@
 #include "programs/usage.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include <getopt.h>
@@ -21,17 +18,6 @@ bool asksForHelp(int argc, char** argv) {
   });
 }
 
-int printHelp(const char* program, const char* text) {
-  std::fputs(text, stdout);
-  try {
-    requireWritten(stdout);
-    return kDone;
-  } catch (const std::runtime_error& error) {
-    std::fprintf(stderr, "%s: %s\n", program, error.what());
-    return kBadInput;
-  }
-}
-
 double positiveNumber(const std::string& option, const char* text) {
   char* end = nullptr;
   const double x = std::strtod(text, &end);
@@ -40,12 +26,6 @@ double positiveNumber(const std::string& option, const char* text) {
   if (end == text || *end != '\0' || !decimal || !std::isfinite(x) || !(x > 0))
     throw UsageError("--" + option + ": must be a finite number > 0, got '" + text + "'");
   return x;
-}
-
-void requireWritten(std::FILE* out) {
-  if (std::fflush(out) != 0 || std::ferror(out) != 0)
-    throw std::runtime_error(std::string("standard output cannot be written: ") +
-                             std::strerror(errno));
 }
 
 void requireCountable(double duration, double length, const std::string& things) {
@@ -57,11 +37,22 @@ void requireCountable(double duration, double length, const std::string& things)
 }
 
 std::optional<std::string> readCommandLine(int argc, char** argv, const OptionActions& actions,
-                                           const std::string& file_kind) {
-  constexpr int kValue = 1, kHelp = 'h';
+                                           const std::string& file_kind, const Flags& flags) {
+  const auto files =
+      readCommandLine(argc, argv, actions, "exactly one " + file_kind + " is", 1, flags);
+  return files ? std::optional(files->front()) : std::nullopt;
+}
+
+std::optional<std::vector<std::string>> readCommandLine(int argc, char** argv,
+                                                        const OptionActions& actions,
+                                                        const std::string& files, int count,
+                                                        const Flags& flags) {
+  constexpr int kValue = 1, kFlag = 2, kHelp = 'h';
   std::vector<option> known;
   for (const auto& [name, action] : actions)
     known.push_back({name.c_str(), required_argument, nullptr, kValue});
+  for (const auto& [name, flag] : flags)
+    known.push_back({name.c_str(), no_argument, nullptr, kFlag});
   known.push_back({"help", no_argument, nullptr, kHelp});
   known.push_back({nullptr, 0, nullptr, 0});
 
@@ -69,16 +60,19 @@ std::optional<std::string> readCommandLine(int argc, char** argv, const OptionAc
   int index = 0;
   for (int code; (code = getopt_long(argc, argv, ":h", known.data(), &index)) != -1;) {
     if (code == kHelp) return std::nullopt;
+    if (code == kFlag) {
+      *flags.at(known[static_cast<std::size_t>(index)].name) = true;
+      continue;
+    }
     if (code == ':') throw UsageError(std::string(argv[optind - 1]) + " needs a value");
     if (code != kValue)
       throw UsageError("unknown option " + (optopt ? std::string("-") + static_cast<char>(optopt)
                                                    : std::string(argv[optind - 1])));
     actions.at(known[static_cast<std::size_t>(index)].name)(optarg);
   }
-  if (optind + 1 != argc)
-    throw UsageError("exactly one " + file_kind + " is needed, got " +
-                     std::to_string(argc - optind));
-  return argv[optind];
+  if (optind + count != argc)
+    throw UsageError(files + " needed, got " + std::to_string(argc - optind));
+  return std::vector<std::string>(argv + optind, argv + argc);
 }
 
 }  // namespace rigid_body_sim

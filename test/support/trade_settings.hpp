@@ -13,20 +13,16 @@ namespace rigid_body_sim::test {
 
 constexpr double kBriefly = 0.0005;  // [s] for timing a setting
 
-/// Enough for runs of some ten thousand steps of the lecture's update, however fast the machine and
-/// however the program was compiled: what the ladders of a test reach is then the same everywhere.
-inline Patience hasty(const World& world, const Reference& reference) {
+/// Enough for runs of some ten thousand steps of the lecture's update.
+inline Patience hasty(const World& world) {
   constexpr double kSteps = 2e4;
-  const double h = world.solver.time_step;
-  const Setting simplest =
-      measureSetting(world, reference, "semi_implicit_euler", h, {kBriefly, 0});
-  return {kBriefly, kSteps * h * 1e-9 * simplest.cpu_ns_per_sim_s};
+  return {kBriefly, kSteps * methodNamed("semi_implicit_euler").cost * movingBodies(world)};
 }
 
 /// Every row that takes the world, over its ladder; auto, which is not a row, left out.
 inline std::vector<Setting> ladders(const World& world, const State& initial,
                                     const Reference& reference) {
-  const Patience patience = hasty(world, reference);
+  const Patience patience = hasty(world);
   std::vector<Setting> settings;
   for (const std::string& row : integratorsFor(world, initial))
     if (row != "auto")

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -287,6 +288,31 @@ TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsInput) {
       "<robot name='r'><link name='l'><inertial><mass value='0'/><inertia ixx='1' ixy='0' ixz='0' "
       "iyy='1' iyz='0' izz='1'/></inertial></link></robot>");
   expectFailure(urdf, 1, urdf + ": link 'l': mass must be > 0 kg, got 0");
+}
+
+TEST_F(MassPropertiesProgram, RefusesFilesOfOtherTypesByName) {
+  const std::string supported =
+      "; supported: .stl, .obj, .dae (meshes), .urdf, .xml (URDF), any other name (scenes)";
+  for (const std::string extension : {".ply", ".glb", ".sdf", ".GLTF", ".step"}) {
+    const std::string path = files_.written("part" + extension, "ply\n");
+    std::string lower = extension;
+    for (char& c : lower) c = static_cast<char>(std::tolower(c));
+    expectFailure(path, 1, path + ": unsupported file type " + lower + supported);
+  }
+  const std::string xacro = files_.written("r.xacro", "<robot/>");
+  expectFailure(
+      xacro, 1,
+      xacro + ": unsupported file type .xacro" + supported + "; xacro makes a .urdf of it");
+}
+
+TEST_F(MassPropertiesProgram, WritesNumbersInTheFewestDigitsThatReadBack) {
+  const std::string scene = files_.written(
+      "s.yaml",
+      "time_step: 1\nbodies: [{name: a, mass: 0.03, center_of_mass: [0.1, 0.2, 0.3], inertia: "
+      "{ixx: 0.029999999999999999, iyy: 0.03, izz: 0.05}}]\n");
+  EXPECT_EQ(out(scene + " --format yaml"),
+            "bodies:\n  - name: a\n    mass: 0.03\n    center_of_mass: [0.1, 0.2, 0.3]\n"
+            "    inertia: {ixx: 0.03, iyy: 0.03, izz: 0.05, ixy: 0, ixz: 0, iyz: 0}\n");
 }
 
 TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsUsage) {

@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <geometry_msgs/WrenchStamped.h>
 #include <gtest/gtest.h>
@@ -54,6 +57,26 @@ bodies: [{name: box, shape: {box: [1, 2, 3]}, mass: 2,
     std::ostringstream text;
     text << std::ifstream(path(name)).rdbuf();
     return text.str();
+  }
+
+  /// Writes a bag with an input of 1 N at each of the times [s], 4 ms a step, held for 0.5 s, as a
+  /// node publishes them that was started at `start`.
+  void record(const std::string& name, const std::vector<double>& times, ros::Time start) const {
+    rosbag::Bag bag(path(name), rosbag::bagmode::Write);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      Input input;
+      input.header.frame_id = "world";
+      input.header.stamp = start + ros::Duration(times[i]);
+      input.number = i;
+      input.step = static_cast<std::uint64_t>(std::llround(times[i] / 0.004));
+      input.time = static_cast<double>(input.step) * 0.004;
+      input.body = input.point_frame = "box";
+      input.wrench.force.x = 1;
+      input.start = input.time;
+      input.end = input.time + 0.5;
+      // a recorder hears it a little later
+      bag.write("/rigid_body_node/inputs", input.header.stamp + ros::Duration(0.0003), input);
+    }
   }
 
   TemporaryDirectory directory;
@@ -191,12 +214,119 @@ TEST_F(SimulateBags, BagThatCannotBeUsedIsRefusedInOneLine) {
        "must hold the wrenches of one node, got /a/rigid_body_node/wrench and /b/"},
       {"--time-step 1e-12 --duration 1e-9 --wrench-bag " + path("late.bag"),
        "late.bag: holds a message at more than 2^53 steps of the scene"},
-      {"--bag " + path("no/such/directory"), "Error opening file"},
-      {"--duration 100 --bag /dev/full", "/dev/full: Error writing to file"}};
+      {"--bag " + path("no/such/directory"),
+       "no/such/directory: cannot be written: No such file or directory"},
+      {"--duration 100 --bag /dev/full", "/dev/full: cannot be written: No space left on device"}};
   for (const auto& [arguments, line] : refusals) {
     EXPECT_EQ(simulate(scene() + " " + arguments), 1) << arguments;
     EXPECT_NE(said.find(line), std::string::npos) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  }
+}
+
+TEST_F(SimulateBags, SummaryNamesTheRecordedWrenchesThatChangedABody) {
+  record("run.bag", {0.1}, ros::Time(0, 1));
+  ASSERT_EQ(simulate(scene() + " --duration 1 --wrench-bag " + path("run.bag")), 0) << said;
+  // 1 N for 0.5 s
+  EXPECT_NE(said.find("  changed by wrenches: energy +0.0625 J, momentum (0.5, "),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("conserved"), std::string::npos) << said;
+  ASSERT_EQ(simulate(scene() + " --duration 0.1 --wrench-bag " + path("run.bag")), 0) << said;
+  EXPECT_NE(said.find("  conserved: energy "), std::string::npos) << said;
+}
+
+TEST_F(SimulateBags, InputsThatARunDoesNotReachAreReported) {
+  record("run.bag", {0.1, 0.4, 0.8}, ros::Time(0, 1));
+  ASSERT_EQ(simulate(scene() + " --duration 0.4 --wrench-bag " + path("run.bag")), 0) << said;
+  EXPECT_NE(said.find("simulate: notice: " + path("run.bag") +
+                      ": 2 of 3 inputs were not applied: they come at or after 0.4 s, where this "
+                      "run ends (--duration)\n"),
+            std::string::npos)
+      << said;
+  ASSERT_EQ(simulate(scene() + " --duration 0.9 --wrench-bag " + path("run.bag")), 0) << said;
+  EXPECT_EQ(said.find("were not applied"), std::string::npos) << said;
+}
+
+TEST_F(SimulateBags, ReplayIsAsLongAsTheRecord) {
+  const ros::Time start(1700000000, 300);
+  const auto runs_for = [&](const std::string& seconds) {
+    EXPECT_EQ(simulate(scene() + " --wrench-bag " + path("run.bag")), 0) << said;
+    EXPECT_NE(said.find("scene.yaml: " + seconds + " s in steps of"), std::string::npos) << said;
+    EXPECT_EQ(said.find("were not applied"), std::string::npos) << said;
+  };
+  record("run.bag", {0.1}, start);
+  runs_for("10");  // inputs alone: the horizon
+  record("run.bag", {0.1, 11.6}, start);
+  runs_for("12.1");  // or as long as the last wrench acts
+  rosbag::Bag(path("run.bag"), rosbag::bagmode::Append)
+      .write("/box/odom", start + ros::Duration(23.1237), nav_msgs::Odometry());
+  runs_for("23.12");  // whole steps
+}
+
+TEST_F(SimulateBags, ReplayIsStampedAsTheRecordedRun) {
+  const ros::Time start(1700000000, 300);
+  record("run.bag", {0.1}, start);
+  ASSERT_EQ(simulate(scene() + " --duration 0.2 --sample 0.1 --wrench-bag " + path("run.bag") +
+                     " --bag " + path("again.bag")),
+            0)
+      << said;
+  rosbag::Bag bag(path("again.bag"), rosbag::bagmode::Read);
+  std::vector<ros::Time> stamps;
+  for (const rosbag::MessageInstance& message : rosbag::View(bag, rosbag::TopicQuery("/box/odom")))
+    stamps.push_back(message.instantiate<nav_msgs::Odometry>()->header.stamp);
+  EXPECT_EQ(stamps, (std::vector<ros::Time>{start, start + ros::Duration(0, 100000000),
+                                            start + ros::Duration(0, 200000000)}));
+}
+
+TEST_F(SimulateBags, FilesStayWholeWithoutStandardStreams) {
+  const std::string outputs =
+      " --duration 0.1 --bag " + path("run.bag") + " --csv " + path("run.csv");
+  ASSERT_EQ(simulate(scene() + outputs), 0) << said;
+  const std::string csv = content("run.csv");
+  for (const char* closed : {">&-", "2>&-", "<&- >&- 2>&-"}) {
+    const std::string command = RIGID_BODY_SIM_SIMULATE " " + scene() + outputs + " " + closed;
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << closed;
+    EXPECT_EQ(content("run.csv"), csv) << closed;
+    rosbag::Bag bag(path("run.bag"), rosbag::bagmode::Read);
+    EXPECT_EQ(rosbag::View(bag, rosbag::TopicQuery("/box/odom")).size(), 11U) << closed;
+  }
+  EXPECT_EQ(WEXITSTATUS(std::system(
+                (RIGID_BODY_SIM_SIMULATE " " + scene() + " --csv - >&- 2>/dev/null").c_str())),
+            1);
+}
+
+TEST_F(SimulateBags, OneFileForTwoPurposesIsRefusedAndLeftAsItIs) {
+  record("run.bag", {0.1}, ros::Time(0, 1));
+  const std::string bag = path("run.bag"), bag_content = content("run.bag");
+  const std::string scene_file = scene(), scene_content = content("scene.yaml");
+  std::filesystem::create_symlink(scene_file, path("link"));
+  std::filesystem::create_hard_link(bag, path("hard.bag"));
+  const std::string fresh = path("fresh"), detour = directory.path("./fresh");
+  for (const std::string& arguments :
+       {" --csv " + fresh + " --bag " + fresh, " --csv " + fresh + " --bag " + detour,
+        " --csv " + path("link"), " --bag " + scene_file, " --wrench-bag " + bag + " --bag " + bag,
+        " --wrench-bag " + bag + " --csv " + path("hard.bag"), " --csv " + path("said")}) {
+    EXPECT_EQ(simulate(scene_file + arguments), 2) << arguments;
+    EXPECT_NE(said.find(" are the same file, "), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  }
+  EXPECT_EQ(content("run.bag"), bag_content);
+  EXPECT_EQ(content("scene.yaml"), scene_content);
+  EXPECT_FALSE(std::filesystem::exists(fresh));
+  EXPECT_EQ(simulate(scene_file + " --duration 0.1 --csv /dev/null --bag " + fresh), 0) << said;
+}
+
+TEST_F(SimulateBags, FileThatTakesNoMoreIsReportedInOneLine) {
+  // as on a full disk, but for the reason: files may not pass 64 blocks
+  for (const char* output : {"--csv", "--bag"}) {
+    const std::string command = "ulimit -f 64; trap '' XFSZ; " RIGID_BODY_SIM_SIMULATE " " +
+                                scene() + " --duration 100 " + output + " " + path("large") + " >" +
+                                path("said") + " 2>&1";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1) << output;
+    const std::string text = content("said");
+    const std::string last = text.substr(text.rfind("simulate: "));
+    EXPECT_EQ(last, "simulate: " + path("large") + ": cannot be written: File too large\n");
   }
 }
 

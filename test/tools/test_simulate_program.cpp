@@ -118,6 +118,29 @@ TEST(Simulate, SaysHowEachBodyIsSolved) {
                                                       "wing_nut: free, asymmetric, exact"}));
 }
 
+TEST(Simulate, SaysWhatChangedABodyOrThatNothingDid) {
+  const std::string bodies = R"(
+time_step: 0.01
+gravity: [0, 0, -10]
+bodies:
+  - {name: free, shape: {sphere: {radius: 1}}, mass: 1}
+  - {name: pushed, shape: {sphere: {radius: 1}}, mass: 1, position: [9, 0, 0]}
+  - {name: held, shape: {sphere: {radius: 1}}, mass: 1, position: [0, 9, 0]}
+wrenches: [{body: pushed, frame: world, force: [2, 0, 10], duration: 1}]
+forces: [{type: spring, from: {body: held}, to: {world: [0, 9, 1]}, stiffness: 4}]
+)";
+  const std::vector<std::string> said =
+      lines(simulate(sceneFile(bodies) + " --duration 1 2>/dev/null").out);
+  ASSERT_EQ(said.size(), 8U);
+  EXPECT_EQ(said[2].find("  conserved: energy "), 0U) << said[2];
+  EXPECT_NE(said[2].find(", angular momentum to 0"), std::string::npos) << said[2];
+  // 2 N for 1 s on 1 kg, and its weight of 10 N
+  EXPECT_EQ(said[4],
+            "  changed by wrenches: energy +2 J, momentum (2, 0, 10) N s, angular momentum "
+            "(0, 0, 0) N m s");
+  EXPECT_EQ(said[6].find("  changed by spring: energy "), 0U) << said[6];
+}
+
 TEST(Simulate, RefusesAnIntegratorThatDoesNotTakeTheScene) {
   const Outcome run = simulate(scenePath("spring_pair.yaml") + " --integrator taylor 2>&1");
   EXPECT_EQ(run.exit_code, 1);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include <geometry_msgs/WrenchStamped.h>
@@ -9,6 +8,8 @@
 #include <ros/ros.h>
 #include <tf2_ros/transform_listener.h>
 
+#include "programs/run_program.hpp"
+#include "programs/standard_streams.hpp"
 #include "programs/usage.hpp"
 #include "ros/messages/conversions.hpp"
 #include "ros/node/command_line.hpp"
@@ -121,6 +122,7 @@ class DemoPusher {
 }  // namespace
 
 int main(int argc, char** argv) {
+  reserveStandardStreams();
   if (asksForHelp(argc, argv)) return printHelp("demo_pusher", kHelp);
   if (!initRos(argc, argv, "demo_pusher")) return kWrongUsage;
   DemoPusher pusher;

@@ -9,6 +9,8 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "programs/package_directory.hpp"
+#include "programs/run_program.hpp"
+#include "programs/standard_streams.hpp"
 #include "programs/usage.hpp"
 #include "ros/node/command_line.hpp"
 #include "ros/node/simulation_node.hpp"
@@ -81,6 +83,7 @@ int run(const NodeOptions& options, const Scene& scene) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  reserveStandardStreams();
   if (asksForHelp(argc, argv)) return printHelp("rigid_body_node", kHelp);
   const std::string fault = missingUnderscore(argc, argv);
   if (!fault.empty()) return refuseUsage(fault);

@@ -1,36 +1,37 @@
 #include "tools/mass_properties/mass_properties_formats.hpp"
 
-#include <cstdio>
 #include <sstream>
 
 #include <rigid_body_sim/mass/principal_axes.hpp>
 
+#include "math/shortest.hpp"
+#include "programs/formatted.hpp"
 #include "tools/mass_properties/scene_names.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-/// The shortest text of so many significant digits, without a minus before zero.
-std::string number(double x, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, x == 0 ? 0.0 : x);
-  return text;
+/// Ten digits, for people, without a minus before zero.
+std::string number(double x) { return formatted("%.10g", x == 0 ? 0.0 : x); }
+
+/// In as few digits as read back as the same number.
+std::string exact(double x) { return shortest(x == 0 ? 0.0 : x); }
+
+std::string bracketed(const Vector3d& v) {
+  return "[" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + "]";
 }
 
 /// "x, y, z" for the separator ", "
-std::string numbers(const Vector3d& v, int digits, const std::string& separator) {
-  return number(v.x(), digits) + separator + number(v.y(), digits) + separator +
-         number(v.z(), digits);
+std::string exactNumbers(const Vector3d& v, const std::string& separator) {
+  return exact(v.x()) + separator + exact(v.y()) + separator + exact(v.z());
 }
-
-std::string bracketed(const Vector3d& v) { return "[" + numbers(v, 10, ", ") + "]"; }
 
 std::string text(const NamedMass& body) {
   const MassProperties& m = body.mass;
   const PrincipalAxes axes = principalAxes(m.I_Bcm);
   std::ostringstream lines;
   lines << body.name << (body.remark.empty() ? "" : ": " + body.remark) << "\n"
-        << "  mass               " << number(m.mass, 10) << " kg\n"
+        << "  mass               " << number(m.mass) << " kg\n"
         << "  centre of mass     " << bracketed(m.com_B) << " m in the body frame\n"
         << "  inertia            " << bracketed(m.I_Bcm.row(0))
         << " kg m^2 about the centre of mass, in body axes\n"
@@ -43,12 +44,10 @@ std::string text(const NamedMass& body) {
   return lines.str();
 }
 
-constexpr int kAllDigits = 17;  // as many as name a double
-
 /// The six entries of an inertia, each written by entry(name, value).
 template <class Entry>
 std::string inertiaEntries(const Matrix3d& I, const std::string& separator, const Entry& entry) {
-  const auto at = [&](int row, int column) { return number(I(row, column), kAllDigits); };
+  const auto at = [&](int row, int column) { return exact(I(row, column)); };
   return entry("ixx", at(0, 0)) + separator + entry("iyy", at(1, 1)) + separator +
          entry("izz", at(2, 2)) + separator + entry("ixy", at(0, 1)) + separator +
          entry("ixz", at(0, 2)) + separator + entry("iyz", at(1, 2));
@@ -69,13 +68,13 @@ std::string yaml(const NamedMass& body, const std::string& scene_name) {
   std::ostringstream lines;
   const std::string remark = scene_name == body.name ? body.remark : renamed(body.name);
   lines << "  - name: " << scene_name << (remark.empty() ? "" : "  # " + remark) << "\n"
-        << "    mass: " << number(body.mass.mass, kAllDigits) << "\n"
-        << "    center_of_mass: [" << numbers(body.mass.com_B, kAllDigits, ", ") << "]\n"
+        << "    mass: " << exact(body.mass.mass) << "\n"
+        << "    center_of_mass: [" << exactNumbers(body.mass.com_B, ", ") << "]\n"
         << "    inertia: {" << inertiaEntries(body.mass.I_Bcm, ", ", entry) << "}\n";
   return lines.str();
 }
 
-/// Bodies as a scene takes them; only the links of a robot may bear names that it does not.
+/// Bodies as a scene accepts them; only the links of a robot may have names that it does not.
 std::string yaml(const std::vector<NamedMass>& masses) {
   std::vector<std::string> names;
   names.reserve(masses.size());
@@ -100,8 +99,8 @@ std::string urdf(const NamedMass& body) {
   std::ostringstream lines;
   lines << "<!-- " << commented(body.name + (body.remark.empty() ? "" : ": " + body.remark))
         << " -->\n<inertial>\n"
-        << "  <origin xyz=\"" << numbers(body.mass.com_B, kAllDigits, " ") << "\" rpy=\"0 0 0\"/>\n"
-        << "  <mass value=\"" << number(body.mass.mass, kAllDigits) << "\"/>\n"
+        << "  <origin xyz=\"" << exactNumbers(body.mass.com_B, " ") << "\" rpy=\"0 0 0\"/>\n"
+        << "  <mass value=\"" << exact(body.mass.mass) << "\"/>\n"
         << "  <inertia " << inertiaEntries(body.mass.I_Bcm, " ", entry) << "/>\n</inertial>\n";
   return lines.str();
 }

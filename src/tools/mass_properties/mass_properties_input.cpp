@@ -1,6 +1,7 @@
 #include "tools/mass_properties/mass_properties_input.hpp"
 
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -67,10 +68,24 @@ Masses massesOfUrdf(const std::string& path) {
   return masses;
 }
 
+/// Refuses files of types that are well known and not read here. Any other name is a scene's.
+void requireSupported(const std::string& path, const std::string& extension) {
+  static const std::set<std::string> unsupported{
+      ".3ds",  ".3mf",  ".amf",  ".blend", ".brep",  ".dxf", ".fbx",  ".glb",
+      ".gltf", ".iges", ".igs",  ".off",   ".ply",   ".sdf", ".step", ".stp",
+      ".usd",  ".usda", ".usdc", ".usdz",  ".world", ".wrl", ".x3d",  ".xacro"};
+  if (unsupported.count(extension) == 0) return;
+  throw std::runtime_error(path + ": unsupported file type " + extension +
+                           "; supported: .stl, .obj, .dae (meshes), .urdf, .xml (URDF), any other "
+                           "name (scenes)" +
+                           (extension == ".xacro" ? "; xacro makes a .urdf of it" : ""));
+}
+
 }  // namespace
 
 Masses readMasses(const MassPropertiesOptions& options) {
   const std::string extension = extensionOf(options.file);
+  requireSupported(options.file, extension);
   const bool is_mesh = extension == ".stl" || extension == ".obj" || extension == ".dae";
   const bool is_urdf = extension == ".urdf" || extension == ".xml";
   if (is_mesh) return massOfMesh(options);

@@ -9,7 +9,7 @@
 
 namespace rigid_body_sim {
 
-/// One body to tell of.
+/// A body to report.
 struct NamedMass {
   std::string name;
   std::string remark;  ///< what its figures rest on; may be empty

@@ -39,9 +39,9 @@ Mass, centre of mass and inertia, with the principal moments and axes, of
   --mass X           of a mesh [kg], in place of a density
   --scale X          multiplies every length of a mesh: 0.001 for one in millimetres
   --format text      for people, 10 digits (default)
-           yaml      entries for the `bodies` of a scene, 17 digits: nothing is lost; a name that
-                     a scene does not accept is changed, and the line says so
-           urdf      <inertial> elements, 17 digits
+           yaml      entries for the `bodies` of a scene; numbers read back as the same; a name
+                     that a scene does not accept is changed, and the line says so
+           urdf      <inertial> elements; numbers read back as the same
   --help             this text
 
 Inertia [kg m^2] is about the centre of mass in the axes of the body frame, which for a mesh is the

@@ -10,18 +10,17 @@
 namespace rigid_body_sim {
 namespace {
 
-/// A file that takes nothing is told of before the run: rosbag notices once its buffers are full.
+/// A file that takes nothing is reported before the run: rosbag notices once its buffers are full.
 void requireWritable(const std::string& path) {
-  std::ofstream probe(path);  // whether it can be opened is left to rosbag
-  if (probe && !(probe << '\n' << std::flush))
-    throw std::runtime_error(std::string("Error writing to file: ") + std::strerror(errno));
+  std::ofstream probe(path);
+  if (!probe || !(probe << '\n' << std::flush)) throw std::runtime_error("no room");
 }
 
 }  // namespace
 
-BagOutput::BagOutput(const std::string& path, double rate, const Scene& scene,
-                     const Simulation& simulation)
-    : path_(path), bag_(std::make_unique<rosbag::Bag>()) {
+BagOutput::BagOutput(const std::string& path, double rate, const TimeOrigin& origin,
+                     const Scene& scene, const Simulation& simulation)
+    : path_(path), bag_(std::make_unique<rosbag::Bag>()), origin_(origin) {
   NodeOptions options;
   options.publish_clock = true;
   options.publish_rate = rate;
@@ -48,13 +47,16 @@ void BagOutput::finish() {
 }
 
 void BagOutput::guarded(const std::function<void()>& action) {
+  errno = 0;
   try {
     action();
   } catch (const std::exception& error) {
+    // rosbag says which call failed ("Error seeking"), the system why ("No space left on device")
+    const std::string reason = errno != 0 ? std::strerror(errno) : error.what();
     // its destructor would write once more, throw, and end the program
     static const rosbag::Bag* const failed = bag_->isOpen() ? bag_.release() : nullptr;
     static_cast<void>(failed);
-    throw std::runtime_error(path_ + ": " + error.what());
+    throw std::runtime_error(path_ + ": cannot be written: " + reason);
   }
 }
 

@@ -14,9 +14,11 @@ namespace rigid_body_sim {
 /// topics, stamps and values.
 class BagOutput {
  public:
-  /// States at `rate` [1/s]. The simulation, that of the scene, is watched, not copied. Throws
-  /// std::runtime_error, the path first, when the bag cannot be written; so do the others.
-  BagOutput(const std::string& path, double rate, const Scene& scene, const Simulation& simulation);
+  /// States at `rate` [1/s], stamped from the origin on. The simulation, that of the scene, is
+  /// watched, not copied. Throws std::runtime_error, the path first, when the bag cannot be
+  /// written; so do the others.
+  BagOutput(const std::string& path, double rate, const TimeOrigin& origin, const Scene& scene,
+            const Simulation& simulation);
 
   /// Writes what is due at the step that the simulation has come to.
   void writeDue();

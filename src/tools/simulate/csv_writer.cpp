@@ -8,7 +8,7 @@ namespace rigid_body_sim {
 
 CsvWriter::CsvWriter(const std::string& path)
     : path_(path), file_(path == "-" ? stdout : std::fopen(path.c_str(), "w")) {
-  if (!file_) throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(errno));
+  if (!file_) fail();
   std::fputs("time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n", file_);
 }
 
@@ -26,11 +26,15 @@ void CsvWriter::write(const World& world, const State& state) {
       std::fprintf(file_, ",%.17g", x);
     std::fputc('\n', file_);
   }
+  if (std::ferror(file_)) fail();  // a disk that is full now will not take the rest either
 }
 
 void CsvWriter::finish() {
-  if (std::fflush(file_) != 0 || std::ferror(file_))
-    throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(errno));
+  if (std::fflush(file_) != 0 || std::ferror(file_)) fail();
+}
+
+void CsvWriter::fail() const {
+  throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(errno));
 }
 
 }  // namespace rigid_body_sim

@@ -18,12 +18,15 @@ class CsvWriter {
   CsvWriter(const CsvWriter&) = delete;
   CsvWriter& operator=(const CsvWriter&) = delete;
 
+  /// Throws std::runtime_error when the file takes no more, as on a full disk.
   void write(const World& world, const State& state);
 
-  /// Throws std::runtime_error when not every row has reached the file, as on a full disk.
+  /// Throws std::runtime_error when not every row has reached the file.
   void finish();
 
  private:
+  [[noreturn]] void fail() const;
+
   std::string path_;
   std::FILE* file_;
 };

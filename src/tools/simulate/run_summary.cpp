@@ -12,21 +12,40 @@ std::string text(const Vector3d& v) { return formatted("(%.4g, %.4g, %.4g)", v.x
 
 double ratio(double difference, double scale) { return difference == 0 ? 0 : difference / scale; }
 
-/// By a wrench, by drag or by a law of force.
-bool isActedOn(const World& world, std::size_t body, double t_end) {
-  const auto acts_on_it = [body](const auto& law) {
-    const std::vector<std::size_t> members = law->members();
-    return std::find(members.begin(), members.end(), body) != members.end();
-  };
-  return std::any_of(world.laws.begin(), world.laws.end(), acts_on_it) ||
-         std::any_of(world.wrenches.begin(), world.wrenches.end(), [=](const PointWrench& wrench) {
-           return wrench.body == body && wrench.start < t_end;
-         });
+std::string relative(double ratio) { return ratio == 0 ? "0" : formatted("%.1e", ratio); }
+
+using Causes = std::vector<std::string>;
+
+void addOnce(const std::string& cause, Causes& causes) {
+  if (std::find(causes.begin(), causes.end(), cause) == causes.end()) causes.push_back(cause);
+}
+
+/// What changes energy and momentum of each body beside gravity: wrenches, laws, inputs.
+std::vector<Causes> causesOf(const World& world, double t_end,
+                             const std::vector<InputEffects>& inputs) {
+  std::vector<Causes> causes(world.bodies.size());
+  for (const PointWrench& wrench : world.wrenches)
+    if (wrench.start < t_end) addOnce("wrenches", causes[wrench.body]);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].wrench) addOnce("wrenches", causes[i]);
+  for (const auto& law : world.laws)
+    for (std::size_t body : law->members()) addOnce(law->name(), causes[body]);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].moved) addOnce("set_state or reset", causes[i]);
+  return causes;
+}
+
+/// "wrenches, spring and drag"
+std::string joined(const Causes& causes) {
+  std::string text = causes.front();
+  for (std::size_t i = 1; i < causes.size(); ++i)
+    text += (i + 1 < causes.size() ? ", " : " and ") + causes[i];
+  return text;
 }
 
 /// What a body has at one instant.
-struct Kept {
-  Kept(const Body& body, const BodyState& state, const Vector3d& g_W)
+struct Conserved {
+  Conserved(const Body& body, const BodyState& state, const Vector3d& g_W)
       : kinetic(kineticEnergy(body, state)),
         energy(kinetic - body.mass * g_W.dot(state.x_W + state.x_low_W)),
         momentum(state.p_W),
@@ -37,25 +56,30 @@ struct Kept {
   Vector3d angular_momentum;  // [kg m²/s] about the centre of mass
 };
 
-std::string keptText(const Kept& a, const Kept& b, const Vector3d& weight_impulse) {
+std::string conservedText(const Conserved& a, const Conserved& b, const Vector3d& weight_impulse) {
   const double energy_scale = std::max(a.kinetic, b.kinetic);
   const double p_scale = std::max(a.momentum.norm(), b.momentum.norm());
   const double L_scale = a.angular_momentum.norm();
-  return formatted("  kept: energy %.4g J to %.1e, momentum to %.1e, angular momentum to %.1e\n",
-                   b.energy, ratio(std::abs(b.energy - a.energy), energy_scale),
-                   ratio((b.momentum - a.momentum - weight_impulse).norm(), p_scale),
-                   ratio((b.angular_momentum - a.angular_momentum).norm(), L_scale));
+  return formatted("  conserved: energy %.4g J to ", b.energy) +
+         relative(ratio(std::abs(b.energy - a.energy), energy_scale)) + ", momentum to " +
+         relative(ratio((b.momentum - a.momentum - weight_impulse).norm(), p_scale)) +
+         ", angular momentum to " +
+         relative(ratio((b.angular_momentum - a.angular_momentum).norm(), L_scale)) + "\n";
 }
 
-std::string pushedText(const Kept& a, const Kept& b, const Vector3d& weight_impulse) {
-  return formatted("  pushed: energy %+.4g J, momentum ", b.energy - a.energy) +
+std::string changedText(const Causes& causes, const Conserved& a, const Conserved& b,
+                        const Vector3d& weight_impulse) {
+  return "  changed by " + joined(causes) +
+         formatted(": energy %+.4g J, momentum ", b.energy - a.energy) +
          text(b.momentum - a.momentum - weight_impulse) + " N s, angular momentum " +
          text(b.angular_momentum - a.angular_momentum) + " N m s\n";
 }
 
 }  // namespace
 
-std::string runSummary(const World& world, const State& first, const State& last) {
+std::string runSummary(const World& world, const State& first, const State& last,
+                       const std::vector<InputEffects>& inputs) {
+  const std::vector<Causes> causes = causesOf(world, last.t, inputs);
   std::string summary;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
@@ -64,11 +88,11 @@ std::string runSummary(const World& world, const State& first, const State& last
     summary += body.name + ": from " + text(toBodyFrameMotion(body, first.bodies[i]).x_W) + " to " +
                text(m.x_W) + " m, velocity " + text(m.v_W) + " m/s, turning at " + text(m.w_W) +
                " rad/s\n";
-    const Kept a(body, first.bodies[i], world.g_W);
-    const Kept b(body, last.bodies[i], world.g_W);
+    const Conserved a(body, first.bodies[i], world.g_W);
+    const Conserved b(body, last.bodies[i], world.g_W);
     const Vector3d weight_impulse = body.mass * (last.t - first.t) * world.g_W;
-    summary += isActedOn(world, i, last.t) ? pushedText(a, b, weight_impulse)
-                                           : keptText(a, b, weight_impulse);
+    summary += causes[i].empty() ? conservedText(a, b, weight_impulse)
+                                 : changedText(causes[i], a, b, weight_impulse);
   }
   if (!world.laws.empty()) {
     const double energy = mechanicalEnergy(world, last);

@@ -1,15 +1,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <rigid_body_sim/dynamics/world.hpp>
+
+#include "tools/simulate/input_effects.hpp"
 
 namespace rigid_body_sim {
 
 /// Where each moving body went and what became of its energy and momentum, a few lines of text.
-/// A body on which no wrench acted must keep them, so the text says by how much it did not:
+/// A body on which nothing but gravity acts must conserve them, so the text says how well it does:
 ///   energy ½ p²/m + ½ Σ Lᵢ²/Iᵢ − m g·x,  momentum p − m g t,  angular momentum L,
-/// each relative to its greatest value. For a pushed body the text says what the pushes changed.
-std::string runSummary(const World& world, const State& first, const State& last);
+/// each difference relative to the greatest value. For every other body the text says what changed
+/// them, and by how much. inputs: of each body, or empty.
+std::string runSummary(const World& world, const State& first, const State& last,
+                       const std::vector<InputEffects>& inputs);
 
 }  // namespace rigid_body_sim

@@ -8,22 +8,34 @@
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
+#include "programs/distinct_files.hpp"
+#include "programs/formatted.hpp"
+#include "programs/run_program.hpp"
+#include "programs/standard_streams.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
-#include "ros/bag/bag_inputs.hpp"
-#include "ros/inputs/input_replay.hpp"
-#include "tools/common/preface.hpp"
+#include "tools/common/deferred_messages.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/common/state_at.hpp"
 #include "tools/simulate/bag_output.hpp"
 #include "tools/simulate/csv_writer.hpp"
+#include "tools/simulate/recorded_run.hpp"
 #include "tools/simulate/run_summary.hpp"
 #include "tools/simulate/simulate_options.hpp"
+#include "tools/simulate/slow_run_notice.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 constexpr double kBagSample = 0.01;  // [s] as the node publishes by default
+
+void requireDistinctFiles(const SimulateOptions& options) {
+  std::vector<NamedFile> files{{"the scene", options.scene, false}};
+  if (options.wrench_bag) files.push_back({"--wrench-bag", *options.wrench_bag, false});
+  if (options.csv && *options.csv != "-") files.push_back({"--csv", *options.csv, true});
+  if (options.bag) files.push_back({"--bag", *options.bag, true});
+  requireDistinct(files);
+}
 
 Scene sceneOf(const SimulateOptions& options) {
   Scene scene = loadToolScene(options.scene);
@@ -37,102 +49,141 @@ Scene sceneOf(const SimulateOptions& options) {
   if (options.tolerance && scene.integrator != "auto")
     throw UsageError("--tolerance goes with integrator auto only, got integrator " +
                      scene.integrator);
+  requireCountable(options.duration.value_or(scene.horizon), scene.time_step, "steps");
   return scene;
 }
 
-std::unique_ptr<InputReplay> replayOf(const std::string& path, const Scene& scene,
-                                      const World& world, Preface& preface) {
-  const BagInputs recorded = readBagInputs(path, scene, world);
-  if (!recorded.notice.empty()) preface.add(noticeLine("simulate", path + ": " + recorded.notice));
-  return std::make_unique<InputReplay>(recorded.inputs);
-}
+/// One call of the program: what it reads, computes and writes.
+struct Job {
+  explicit Job(const SimulateOptions& given)
+      : options(given),
+        scene(sceneOf(options)),
+        world(buildWorld(scene)),
+        first(initialState(scene, world)),
+        simulation(world, first) {}
 
-/// Where a run goes beside the CSV, and what comes in.
-struct Bags {
-  std::unique_ptr<BagOutput> output;
-  std::unique_ptr<InputReplay> replay;
+  void note(const std::string& text) { messages.add(noticeLine("simulate", text)); }
+
+  SimulateOptions options;
+  Scene scene;
+  World world;
+  State first;
+  Simulation simulation;
+  DeferredMessages messages;
+  std::unique_ptr<RecordedRun> record;  // of --wrench-bag
+  double duration = 0;                  // [s]
+  double sample = 0;                    // [s]
+  std::unique_ptr<CsvWriter> csv;
+  std::unique_ptr<BagOutput> bag;
 };
 
-/// As the node: what has come in is taken over before a step, the state is told after it.
-StepHooks hooksOf(const Bags& bags, Simulation& simulation, Preface& preface) {
+void openInputs(Job& job) {
+  for (const std::string& notice : job.scene.notices) job.note(notice);
+  const SimulateOptions& options = job.options;
+  if (options.wrench_bag) {
+    job.record = std::make_unique<RecordedRun>(*options.wrench_bag, job.scene, job.world);
+    if (!job.record->notice().empty()) job.note(job.record->notice());
+  }
+  const double length = job.record ? job.record->length(job.scene) : job.scene.horizon;
+  job.duration = options.duration.value_or(length);
+  job.sample = options.sample.value_or(job.scene.time_step);
+  requireCountable(job.duration, job.scene.time_step, "steps");
+  requireCountable(job.duration, job.sample, "samples");
+}
+
+void openOutputs(Job& job) {
+  if (job.options.csv) {
+    job.csv = std::make_unique<CsvWriter>(*job.options.csv);
+    job.csv->finish();  // the header: a file that takes nothing is reported before the run
+  }
+  if (job.options.bag)
+    job.bag = std::make_unique<BagOutput>(
+        *job.options.bag, 1 / job.options.sample.value_or(kBagSample),
+        job.record ? job.record->origin() : TimeOrigin(), job.scene, job.simulation);
+}
+
+/// As the node: inputs are applied before a step, the state is published after it.
+StepHooks hooksOf(Job& job, SlowRunNotice& slow) {
   StepHooks hooks;
-  if (bags.replay)
-    hooks.before = [&] {
-      const bool moved = bags.replay->applyDue(simulation);
-      if (bags.replay->isDone()) preface.say();
-      if (moved && bags.output) bags.output->breakTrails();
+  if (job.record)
+    hooks.before = [&job] {
+      const bool moved = job.record->replay().applyDue(job.simulation);
+      if (job.record->replay().isDone()) job.messages.print();
+      if (moved && job.bag) job.bag->breakTrails();
     };
-  if (bags.output) hooks.within = [&](double t) { bags.output->writeWithinStep(t); };
-  if (bags.output) hooks.after = [&] { bags.output->writeDue(); };
+  if (job.bag) hooks.within = [&job](double t) { job.bag->writeWithinStep(t); };
+  hooks.after = [&job, &slow] {
+    if (job.bag) job.bag->writeDue();
+    const std::string text = slow.textIfDue(job.simulation);
+    if (text.empty()) return;
+    job.note(text);
+    job.messages.print();  // though an input to come may be at fault: the user waits now
+  };
   return hooks;
 }
 
 /// Runs to the end, a row at every sample and at the end. Returns the last state.
-State simulate(Simulation& simulation, double duration, double sample, const StepHooks& hooks,
-               CsvWriter* csv) {
-  const World& world = simulation.world();
+State simulate(Job& job, const StepHooks& hooks) {
   // a duration that misses a multiple of the sample by rounding is one
-  const double ratio = duration / sample;
+  const double ratio = job.duration / job.sample;
   const auto samples =
       static_cast<std::int64_t>(std::max(1.0, std::ceil(ratio - std::max(1e-9, 1e-15 * ratio))));
   ProgressBar bar;
   // what came in before the first step changes the state that it begins with
   if (hooks.before) hooks.before();
-  if (hooks.after) hooks.after();
-  State state = simulation.state();
-  if (csv) csv->write(world, state);
+  hooks.after();
+  State state = job.simulation.state();
+  if (job.csv) job.csv->write(job.world, state);
   for (std::int64_t k = 1; k <= samples; ++k) {
-    state = stateAt(simulation, k == samples ? duration : static_cast<double>(k) * sample, hooks);
-    if (csv) csv->write(world, state);
+    const double t = k == samples ? job.duration : static_cast<double>(k) * job.sample;
+    state = stateAt(job.simulation, t, hooks);
+    if (job.csv) job.csv->write(job.world, state);
     bar.show(static_cast<double>(k) / static_cast<double>(samples));
   }
   return state;
 }
 
-void run(const SimulateOptions& options) {
-  const Scene scene = sceneOf(options);
-  const double duration = options.duration.value_or(scene.horizon);
-  const double sample = options.sample.value_or(scene.time_step);
-  requireCountable(duration, scene.time_step, "steps");
-  requireCountable(duration, sample, "samples");
-  const World world = buildWorld(scene);
-  const State first = initialState(scene, world);
-  Simulation simulation(world, first);
-  std::unique_ptr<CsvWriter> csv;
-  if (options.csv) {
-    csv = std::make_unique<CsvWriter>(*options.csv);
-    csv->finish();  // the header: a file that takes nothing is told of before the run
-  }
-  Preface preface;
-  for (const std::string& notice : scene.notices) preface.add(noticeLine("simulate", notice));
-  Bags bags;
-  if (options.wrench_bag) bags.replay = replayOf(*options.wrench_bag, scene, world, preface);
-  if (options.bag)
-    bags.output = std::make_unique<BagOutput>(*options.bag, 1 / options.sample.value_or(kBagSample),
-                                              scene, simulation);
-  for (const std::string& line : describeSolution(simulation)) preface.add(line);
-  if (!bags.replay) preface.say();  // else an input to come may not be of this scene
-
-  const auto begin = std::chrono::steady_clock::now();
-  State last;
+State simulateOrReport(Job& job) {
+  SlowRunNotice slow(job.duration);
   try {
-    last = simulate(simulation, duration, sample, hooksOf(bags, simulation, preface), csv.get());
+    return simulate(job, hooksOf(job, slow));
   } catch (const SimulationDiverged&) {
-    preface.say();
+    job.messages.print();
     throw;
   }
+}
+
+void finish(Job& job) {
+  if (job.csv) job.csv->finish();
+  if (job.bag) job.bag->finish();
+  const std::string substeps = describeSubsteps(job.simulation);
+  if (!substeps.empty()) job.note(substeps);
+  if (job.record && !job.record->remainder(job.duration).empty())
+    job.note(job.record->remainder(job.duration));
+  job.messages.print();
+}
+
+void run(const SimulateOptions& options) {
+  requireDistinctFiles(options);
+  Job job(options);
+  openInputs(job);
+  openOutputs(job);
+  for (const std::string& line : describeSolution(job.simulation)) job.messages.add(line);
+  if (!job.record) job.messages.print();  // else an input to come may not be of this scene
+
+  const auto begin = std::chrono::steady_clock::now();
+  const State last = simulateOrReport(job);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  if (csv) csv->finish();
-  if (bags.output) bags.output->finish();
-  const std::string parts = describeSubsteps(simulation);
-  if (!parts.empty()) preface.add(noticeLine("simulate", parts));
-  preface.say();
+  finish(job);
 
   std::FILE* out = options.csv == "-" ? stderr : stdout;
   std::fprintf(out, "%s: %.6g s in steps of %.6g s with %s, in %.3g s\n", options.scene.c_str(),
-               last.t, world.solver.time_step, world.solver.integrator.c_str(), wall.count());
-  std::fputs(runSummary(world, first, last).c_str(), out);
-  requireWritten(out);
+               last.t, job.world.solver.time_step, job.world.solver.integrator.c_str(),
+               wall.count());
+  const auto inputs = job.record ? job.record->effects(job.world) : std::vector<InputEffects>();
+  std::fputs(runSummary(job.world, job.first, last, inputs).c_str(), out);
+  // results in files are not spoilt by a summary that nobody wants
+  if (isOpen(out) || (!job.csv && !job.bag)) requireWritten(out);
 }
 
 }  // namespace
@@ -140,21 +191,11 @@ void run(const SimulateOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace rigid_body_sim;
-  try {
+  return runProgram("simulate", [&] {
     const SimulateOptions options = parseSimulateOptions(argc, argv);
     if (options.help)
-      std::fputs(simulateHelp().c_str(), stdout);
+      print(simulateHelp());
     else
       run(options);
-    return kDone;
-  } catch (const UsageError& error) {
-    std::fprintf(stderr, "simulate: %s (simulate --help)\n", error.what());
-    return kWrongUsage;
-  } catch (const SimulationDiverged& error) {
-    std::fprintf(stderr, "simulate: %s\n", error.what());
-    return kDiverged;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "simulate: %s\n", error.what());
-    return kBadInput;
-  }
+  });
 }

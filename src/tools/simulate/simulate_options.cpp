@@ -39,9 +39,9 @@ SimulateOptions parseSimulateOptions(int argc, char** argv) {
 std::string simulateHelp() {
   return R"(usage: simulate SCENE [options]
 Integrates a scene offline, as fast as it can, and says where the bodies went and how well energy
-and momentum were kept.
+and momentum were conserved, or what changed them.
 
-  --duration S       simulated time [s]; default: the scene's horizon
+  --duration S       simulated time [s]; default: the scene's horizon, or the length of the record
   --sample S         time between rows of the CSV and states of the bag [s]; default: the time
                      step in the CSV, 0.01 in the bag
   --integrator NAME  in place of the scene's
@@ -49,8 +49,8 @@ and momentum were kept.
   --tolerance X      in place of the scene's, with integrator auto only
   --csv FILE|-       a row for each body and sample; - is the standard output
   --bag FILE         the topics on the bodies that a node with publish_clock publishes, stamped from
-                     zero on; without ~inputs, and without ~status and /diagnostics, which report
-                     wall time
+                     zero on, or as the recorded run; without ~inputs, and without ~status and
+                     /diagnostics, which report wall time
   --wrench-bag FILE  repeats the last run in the recorded topic ~inputs of a node, to the last bit;
                      from a bag without that topic, applies its wrench messages at their times in
                      the bag

@@ -1,20 +1,24 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
+#include "programs/distinct_files.hpp"
+#include "programs/run_program.hpp"
+#include "programs/standard_streams.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
-#include "tools/common/preface.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/trade/trade_ladder.hpp"
 #include "tools/trade/trade_options.hpp"
 #include "tools/trade/trade_plot.hpp"
 #include "tools/trade/trade_report.hpp"
+#include "tools/trade/trade_write.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -38,7 +42,7 @@ std::vector<Setting> measureAll(const World& world, const Reference& reference,
   return settings;
 }
 
-/// By rows in the order of the catalogue, each by ascending step.
+/// By integrators in the order of the catalogue, each by ascending step.
 void sortLadders(std::vector<Setting>& settings) {
   for (auto begin = settings.begin(); begin != settings.end();) {
     const auto end = std::find_if(
@@ -58,9 +62,8 @@ Trade measureTrade(const TradeOptions& options) {
   const std::vector<std::string> integrators = integratorsFor(world, first);
   std::filesystem::create_directories(options.out);
   TradeCsv csv(options.out + "/trade.csv");
-  Preface preface;
-  for (const std::string& notice : scene.notices) preface.add(noticeLine("trade", notice));
-  preface.say();
+  for (const std::string& notice : scene.notices)
+    std::fprintf(stderr, "%s\n", noticeLine("trade", notice).c_str());
 
   ProgressBar bar;
   bar.show(0);
@@ -75,17 +78,28 @@ Trade measureTrade(const TradeOptions& options) {
   return trade;
 }
 
+void requireDistinctFiles(const TradeOptions& options) {
+  requireDistinct({{"the scene", options.scene, false},
+                   {"the table", options.out + "/trade.csv", true},
+                   {"the plot", options.out + "/trade.svg", true}});
+}
+
+void writeRecommended(const Trade& trade) {
+  const Setting* best = recommended(trade);
+  if (!best) throw std::runtime_error(trade.scene + ": left as it was");
+  if (isPresent(*best, trade.present)) return;
+  print(writeSolver(trade.scene, best->integrator, best->time_step) + "\n");
+}
+
 void run(const TradeOptions& options) {
+  requireDistinctFiles(options);
   const Trade trade = measureTrade(options);
-  std::fputs(tableText(trade).c_str(), stdout);
-  std::fputs(referenceText(trade.reference).c_str(), stdout);
+  print(tableText(trade) + referenceText(trade.reference) + adviceText(trade));
+  if (options.write) writeRecommended(trade);
   if (hasGnuplot())
     plotTrade(trade, options.out + "/trade.svg");
   else
-    std::printf("gnuplot is not installed: %s/trade.csv is there, the plot is not\n",
-                options.out.c_str());
-  std::fputs(adviceText(trade).c_str(), stdout);
-  requireWritten(stdout);
+    print("gnuplot is not installed: " + options.out + "/trade.csv is there, the plot is not\n");
 }
 
 }  // namespace
@@ -93,21 +107,11 @@ void run(const TradeOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace rigid_body_sim;
-  try {
+  return runProgram("trade", [&] {
     const TradeOptions options = parseTradeOptions(argc, argv);
     if (options.help)
-      std::fputs(tradeHelp().c_str(), stdout);
+      print(tradeHelp());
     else
       run(options);
-    return kDone;
-  } catch (const UsageError& error) {
-    std::fprintf(stderr, "trade: %s (trade --help)\n", error.what());
-    return kWrongUsage;
-  } catch (const SimulationDiverged& error) {
-    std::fprintf(stderr, "trade: %s\n", error.what());
-    return kDiverged;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "trade: %s\n", error.what());
-    return kBadInput;
-  }
+  });
 }

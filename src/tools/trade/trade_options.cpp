@@ -23,7 +23,8 @@ TradeOptions parseTradeOptions(int argc, char** argv) {
       {"error-budget",
        [&](const char* s) { options.error_budget = positiveNumber("error-budget", s); }},
       {"out", [&](const char* s) { options.out = directory(s); }}};
-  const auto scene = readCommandLine(argc, argv, actions, "scene file");
+  const auto scene =
+      readCommandLine(argc, argv, actions, "scene file", {{"write", &options.write}});
   options.help = !scene;
   options.scene = scene.value_or("");
   return options;
@@ -31,14 +32,16 @@ TradeOptions parseTradeOptions(int argc, char** argv) {
 
 std::string tradeHelp() {
   return R"(usage: trade SCENE [options]
-Measures what accuracy costs on a scene: runs it with every integrator that takes it, over a ladder
+Measures what accuracy costs on a scene: runs it with every integrator that supports it, over a ladder
 of time steps, against a reference that two independent methods agree on. Prints the table and the
-cheapest setting within the error budget, as two lines to paste into the scene.
+setting that does the least work within the error budget, as two keys to replace in the scene.
 
   --duration S      simulated time [s]; default: the scene's horizon
   --error-budget X  bound on the attitude error [rad] and on the position error relative to the
                     path; default: the scene's tolerance
   --out DIR         where trade.csv and trade.svg go, made if absent; default: here
+  --write           replaces these keys in the scene file and keeps everything else in it; with an
+                    integrator other than auto, tolerance becomes a comment
   --help            this text
 
 CSV columns: integrator,time_step,attitude_error,position_error,energy_error,
@@ -48,8 +51,11 @@ greatest kinetic energy; angular momentum relative to its greatest. Processor ti
 steps, in nanoseconds per simulated second; evaluations are those of the whole run. Rows are written
 as they are measured, so an interrupted run leaves a valid file. The plot needs gnuplot.
 
-A node takes messages over and publishes at time steps: for that reason a shorter step than the
-cheapest may be wanted. A shorter one is at least as accurate.
+Work is counted, in evaluations weighted by what a step of each integrator costs, and not timed, so
+that the same scene gives the same advice every time. Of settings that do equal work, as where a
+motion is solved whatever the step, the scene's integrator and step come first, then short steps.
+A node applies messages at time steps: for that reason a shorter step than the recommended one may
+be wanted. A shorter one costs more and is at least as accurate.
 Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the simulation diverged.
 )";
 }

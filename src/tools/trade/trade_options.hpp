@@ -11,6 +11,7 @@ struct TradeOptions {
   std::optional<double> duration;      ///< [s] > 0
   std::optional<double> error_budget;  ///< > 0
   std::string out = ".";               ///< directory
+  bool write = false;                  ///< the recommended setting, into the scene file
   bool help = false;
 };
 

@@ -30,7 +30,7 @@ std::vector<std::string> namesOf(const std::vector<Setting>& settings) {
   return names;
 }
 
-/// As gnuplot takes a text of one line word for word: in double quotes it would run what stands in
+/// As gnuplot reads a text of one line word for word: in double quotes it would run what stands in
 /// backquotes.
 std::string quoted(const std::string& text) {
   std::string doubled;
@@ -43,7 +43,7 @@ std::string scriptOf(const Trade& trade, const std::string& svg_path) {
   const std::vector<std::string> names = namesOf(trade.settings);
   for (std::size_t i = 0; i < names.size(); ++i)
     writeBlock(
-        "$row" + std::to_string(i), trade.settings,
+        "$integrator" + std::to_string(i), trade.settings,
         [&](const Setting& s) { return s.integrator == names[i]; }, script);
   const auto all = [](const Setting&) { return true; };
   writeBlock("$front", paretoFront(trade.settings, trade.reference), all, script);
@@ -61,8 +61,8 @@ std::string scriptOf(const Trade& trade, const std::string& svg_path) {
          << "set title noenhanced\nset linetype 5 lc rgb '#b8860b'\n"
          << "plot $front with lines lw 9 lc rgb '#d8d8d8' title 'Pareto front', \\\n";
   for (std::size_t i = 0; i < names.size(); ++i)
-    script << "  $row" << i << " with linespoints lw 1.5 ps 0.6 pt 7 lt " << i + 1 << " title "
-           << quoted(names[i]) << ", \\\n";
+    script << "  $integrator" << i << " with linespoints lw 1.5 ps 0.6 pt 7 lt " << i + 1
+           << " title " << quoted(names[i]) << ", \\\n";
   script << "  " << trade.error_budget
          << " with lines dt 2 lc rgb 'black' title 'error budget', \\\n"
          << "  $present with points pt 6 ps 2.5 lw 3 lc rgb 'black' title 'the scene now'\n";

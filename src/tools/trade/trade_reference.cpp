@@ -25,7 +25,7 @@ World withSolver(World world, const std::string& integrator, double time_step) {
   return world;
 }
 
-bool takes(const World& world, const State& initial, const std::string& integrator) {
+bool supports(const World& world, const State& initial, const std::string& integrator) {
   try {
     Simulation(withSolver(world, integrator, world.solver.time_step), initial);
     return true;
@@ -39,16 +39,16 @@ struct Run {
   std::int64_t evaluations;
 };
 
-/// A run with the given number of steps from instant to instant. Throws SimulationDiverged, also
-/// where steps have to be divided so much that it would not end.
+/// A run in the given number of steps (divisions) from instant to instant. Throws
+/// SimulationDiverged, also where steps have to be divided so much that it would not end.
 Run runOf(const World& world, const State& initial, const std::string& integrator, double duration,
-          int parts) {
-  Simulation simulation(withSolver(world, integrator, duration / kInstants / parts), initial);
+          int divisions) {
+  Simulation simulation(withSolver(world, integrator, duration / kInstants / divisions), initial);
   const Method& method = methodNamed(integrator);
   const double most_evaluations = 2 * kMaxWork / method.cost * method.evaluations;
   Track track{initial};
   for (int k = 0; k < kInstants; ++k) {
-    for (int i = 0; i < parts; ++i) {
+    for (int i = 0; i < divisions; ++i) {
       simulation.step();
       if (static_cast<double>(simulation.evaluations()) > most_evaluations)
         throw SimulationDiverged(simulation.time(), world.bodies.front().name,
@@ -59,26 +59,26 @@ Run runOf(const World& world, const State& initial, const std::string& integrato
   return {std::move(track), simulation.evaluations()};
 }
 
-/// The run of a row that comes closest to the truth or, without one, to its own run in steps twice
-/// as long.
+/// The run of an integrator that comes closest to the truth or, without one, to its own run in
+/// steps twice as long.
 Track refined(const World& world, const State& initial, const std::string& integrator,
               double duration, const Track* truth) {
-  constexpr double kConverging = 1e-3;  // from here on, no gain means that rounding has won
+  constexpr double kConverging = 1e-3;  // from here on, no gain means that rounding dominates
   constexpr double kGain = 1.5;
   const double work =
       methodNamed(integrator).cost * kInstants * static_cast<double>(world.bodies.size());
   Track best;
   Run last{{}, 0};
   double least = std::numeric_limits<double>::infinity();
-  for (int parts = 1; parts == 1 || parts * work < kMaxWork; parts *= 2) {
+  for (int divisions = 1; divisions == 1 || divisions * work < kMaxWork; divisions *= 2) {
     Run run;
     try {
-      run = runOf(world, initial, integrator, duration, parts);
+      run = runOf(world, initial, integrator, duration, divisions);
     } catch (const SimulationDiverged&) {
-      if (2 * parts * work >= kMaxWork && best.empty()) throw;
+      if (2 * divisions * work >= kMaxWork && best.empty()) throw;
       continue;
     }
-    // a row that divides long steps by itself would only agree with itself
+    // an integrator that divides long steps by itself would only agree with itself
     const bool shorter =
         static_cast<double>(run.evaluations) > 1.9 * static_cast<double>(last.evaluations);
     if (best.empty()) best = run.track;
@@ -100,7 +100,7 @@ Track refined(const World& world, const State& initial, const std::string& integ
 Reference computeReference(const World& world, const State& initial, double duration) {
   Reference reference;
   reference.duration = duration;
-  const bool solved = takes(world, initial, "taylor");
+  const bool solved = supports(world, initial, "taylor");
   if (solved) {
     reference.method = "taylor in long double";
     reference.states = seriesTrack(world, initial, duration, kInstants);
@@ -116,7 +116,7 @@ Reference computeReference(const World& world, const State& initial, double dura
     std::swap(reference.method, reference.check);
     std::swap(reference.states, check);
   } else {
-    const bool conservative = takes(world, initial, "kahan_li8");
+    const bool conservative = supports(world, initial, "kahan_li8");
     reference.check = solved ? "dop853" : conservative ? "kahan_li8" : "rk4";
     check = refined(world, initial, reference.check, duration, &reference.states);
   }

@@ -7,7 +7,7 @@
 
 namespace rigid_body_sim {
 
-/// The motion that settings are held against, computed in two independent ways.
+/// The motion that settings are compared with, computed in two independent ways.
 struct Reference {
   std::vector<State> states;  ///< at equal intervals, the first the initial state
   double duration = 0;        ///< [s] until the last
@@ -19,7 +19,7 @@ struct Reference {
 /// The motion over a duration [s]. Where nothing acts but gravity: the exact rotation in long
 /// double, checked by Taylor series. Where nothing couples the bodies and nothing resists them:
 /// Taylor series in long double, checked by dop853. Else dop853, checked by kahan_li8 or, where
-/// there is drag or damping, by rk4. A row is taken in shorter and shorter steps until it gains no
+/// there is drag or damping, by rk4. Steps are made shorter until the run gains no
 /// more. Throws SimulationDiverged where none of the steps goes through, and StepTooLong.
 Reference computeReference(const World& world, const State& initial, double duration);
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
+#include "math/shortest.hpp"
 #include "programs/formatted.hpp"
 
 namespace rigid_body_sim {
@@ -16,6 +16,11 @@ bool contains(const std::vector<Setting>& settings, const Setting& wanted) {
   return std::any_of(settings.begin(), settings.end(), [&](const Setting& s) {
     return s.integrator == wanted.integrator && s.time_step == wanted.time_step;
   });
+}
+
+/// [rad, relative] What settings are judged by: no tighter than the reference can tell.
+double budgetOf(const Trade& trade) {
+  return std::max(trade.error_budget, 2 * trade.reference.doubt.bounded());
 }
 
 /// An error, with ~ where the reference is no surer.
@@ -38,8 +43,8 @@ TradeCsv::~TradeCsv() { std::fclose(file_); }
 
 void TradeCsv::write(const Setting& s) {
   std::fprintf(file_, "%s,%s,%.6e,%.6e,%.6e,%.6e,%.6e,%lld\n", s.integrator.c_str(),
-               numberText(s.time_step).c_str(), s.errors.attitude, s.errors.position,
-               s.errors.energy, s.errors.angular_momentum, s.cpu_ns_per_sim_s,
+               shortest(s.time_step).c_str(), s.errors.attitude, s.errors.position, s.errors.energy,
+               s.errors.angular_momentum, s.cpu_ns_per_sim_s,
                static_cast<long long>(s.force_evaluations));
   flush();
 }
@@ -51,14 +56,6 @@ void TradeCsv::flush() {
 
 bool isPresent(const Setting& setting, const SolverOptions& present) {
   return setting.integrator == present.integrator && setting.time_step == present.time_step;
-}
-
-std::string numberText(double x) {
-  for (int digits = 1; digits < 17; ++digits) {
-    const std::string shorter = formatted("%.*g", digits, x);
-    if (std::strtod(shorter.c_str(), nullptr) == x) return shorter;
-  }
-  return formatted("%.17g", x);
 }
 
 std::string referenceText(const Reference& reference) {
@@ -90,24 +87,33 @@ std::string tableText(const Trade& trade) {
          "* on the Pareto front   < what the scene says now   ~ the reference is no surer\n";
 }
 
+const Setting* recommended(const Trade& trade) {
+  return cheapestWithin(trade.settings, trade.reference, budgetOf(trade), trade.present);
+}
+
 std::string adviceText(const Trade& trade) {
   std::string advice;
-  double budget = trade.error_budget;
-  const double doubt = trade.reference.doubt.bounded();
-  if (2 * doubt > budget) {
-    budget = 2 * doubt;
+  const double budget = budgetOf(trade);
+  if (budget > trade.error_budget)
     advice =
         formatted("the reference is known to %.2g only, too little for an error budget of %.3g\n",
-                  doubt, trade.error_budget);
-  }
-  const Setting* best = cheapestWithin(trade.settings, trade.reference, budget);
+                  trade.reference.doubt.bounded(), trade.error_budget);
+  const Setting* best = recommended(trade);
   if (!best) return advice + formatted("no setting stays within %.2g\n", budget);
-  advice += formatted("cheapest within %.3g, %.4g us of CPU per simulated second:\n", budget,
-                      1e-3 * best->cpu_ns_per_sim_s);
+  advice += formatted(
+      "least work within %.3g (counted, not timed), %.4g us of CPU per simulated "
+      "second:\n",
+      budget, 1e-3 * best->cpu_ns_per_sim_s);
   advice += "integrator: " + best->integrator + "\n";
-  advice += "time_step: " + numberText(best->time_step) + "\n";
+  advice += "time_step: " + shortest(best->time_step) + "\n";
+  if (isPresent(*best, trade.present)) return advice + "That is what the scene says now.\n";
+  advice += "Replace these two keys of the scene";
   if (best->integrator != "auto" && trade.present.tolerance_stated)
-    advice += "(a line `tolerance` goes with auto only and must then leave the scene)\n";
+    advice += " and delete its key tolerance, which goes with auto only";
+  advice += "; trade --write does it.\n";
+  advice +=
+      "In a node, messages are applied at time steps: a shorter step reacts sooner, costs more "
+      "and is at least as accurate.\n";
   return advice;
 }
 

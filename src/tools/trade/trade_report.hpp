@@ -33,7 +33,7 @@ struct Trade {
   Reference reference;
   SolverOptions present;          ///< what the scene says now
   double error_budget = 0;        ///< [rad, relative]
-  std::vector<Setting> settings;  ///< by row, and by ascending step
+  std::vector<Setting> settings;  ///< by integrator, and by ascending step
 };
 
 /// Whether a setting is what the scene says now.
@@ -45,10 +45,12 @@ std::string referenceText(const Reference& reference);
 /// The table of settings, with a legend.
 std::string tableText(const Trade& trade);
 
-/// The cheapest setting within the budget, as lines of a scene file; or that there is none.
-std::string adviceText(const Trade& trade);
+/// The setting of the least work within the budget, or within twice what the reference is known to
+/// if that is more; null if there is none.
+const Setting* recommended(const Trade& trade);
 
-/// In as few digits as give the number back.
-std::string numberText(double x);
+/// The recommended setting, as lines of a scene file, and what to do with them; or that there is
+/// none.
+std::string adviceText(const Trade& trade);
 
 }  // namespace rigid_body_sim

@@ -1,14 +1,37 @@
 #include "tools/trade/trade_setting.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "dynamics/methods/catalogue.hpp"
 #include "tools/common/state_at.hpp"
 #include "tools/trade/cpu_time.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+/// See Setting::work.
+double countedWork(const Simulation& simulation) {
+  double work = 0;
+  for (const MotionPlan& plan : simulation.plans()) {
+    if (plan.integrator.empty()) continue;
+    const Method& method = methodNamed(plan.integrator);
+    work += method.cost * static_cast<double>(plan.evaluations) / method.evaluations *
+            static_cast<double>(plan.bodies.size());
+  }
+  return work;
+}
+
+}  // namespace
+
+double movingBodies(const World& world) {
+  return static_cast<double>(std::count_if(world.bodies.begin(), world.bodies.end(),
+                                           [](const Body& body) { return !body.fixed; }));
+}
 
 Setting measureSetting(const World& world, const Reference& reference,
                        const std::string& integrator, double time_step, const Patience& patience) {
@@ -27,9 +50,10 @@ Setting measureSetting(const World& world, const Reference& reference,
     track.push_back(stateAt(
         sampled, reference.duration * static_cast<double>(k) / static_cast<double>(instants)));
   setting.errors = errorsOf(world, track, reference.states);
-  setting.parted = sampled.maxSubsteps() > 1;
+  setting.has_substeps = sampled.maxSubsteps() > 1;
 
-  const auto steps = static_cast<std::int64_t>(std::ceil(reference.duration / time_step - 1e-6));
+  const double whole_steps = std::ceil(reference.duration / time_step - 1e-6);
+  const auto steps = static_cast<std::int64_t>(std::max(1.0, whole_steps));
   const auto run = [&](Simulation& simulation) {
     while (simulation.steps() < steps) {
       simulation.step();
@@ -37,6 +61,7 @@ Setting measureSetting(const World& world, const Reference& reference,
       for (std::size_t i = 0; i < world.bodies.size(); ++i) simulation.body(i);
     }
     setting.force_evaluations = simulation.evaluations();
+    setting.work = countedWork(simulation);
   };
   setting.cpu_ns_per_sim_s =
       1e9 * leastCpuTime(start, run, patience.timing) / (static_cast<double>(steps) * time_step);
@@ -62,12 +87,17 @@ std::vector<Setting> paretoFront(std::vector<Setting> settings, const Reference&
 }
 
 const Setting* cheapestWithin(const std::vector<Setting>& settings, const Reference& reference,
-                              double error_budget) {
+                              double error_budget, const SolverOptions& scene) {
+  // the less, the better
+  const auto rank = [&](const Setting& s) {
+    return std::make_tuple(s.work, s.integrator != scene.integrator, s.time_step != scene.time_step,
+                           s.time_step);
+  };
   const Setting* best = nullptr;
   for (const Setting& setting : settings) {
     const bool within = setting.errors.attitude + reference.doubt.attitude <= error_budget &&
                         setting.errors.position + reference.doubt.position <= error_budget;
-    if (within && (!best || setting.cpu_ns_per_sim_s < best->cpu_ns_per_sim_s)) best = &setting;
+    if (within && (!best || rank(setting) < rank(*best))) best = &setting;
   }
   return best;
 }

@@ -15,14 +15,18 @@ struct Setting {
   Errors errors;
   double cpu_ns_per_sim_s = 0;         ///< [ns/s] processor time per simulated second
   std::int64_t force_evaluations = 0;  ///< over the whole run
-  bool parted = false;                 ///< whether steps had to be taken in parts
+  double work = 0;  ///< of the whole run, counted: in steps of strang with one body; 0: solved
+  bool has_substeps = false;  ///< whether steps had to be divided
 };
 
-/// How much processor time may be spent.
+/// How much may be spent.
 struct Patience {
-  double timing = 0.04;       ///< [s] on timing a setting: a hundred runs of most
-  double longest_run = 0.15;  ///< [s] on one run, with shorter steps than the scene's
+  double timing = 0.04;    ///< [s] of processor time on timing a setting: a hundred runs of most
+  double most_work = 5e5;  ///< of one run with shorter steps than the scene's: tenths of a second
 };
+
+/// Bodies that are not fixed.
+double movingBodies(const World& world);
 
 /// Runs a scene with an integrator and a step over the duration of the reference, once for the
 /// errors and several times for the processor time, from the same state. What is done before the
@@ -38,9 +42,11 @@ double resolvedError(const Setting& setting, const Reference& reference);
 /// the reference cannot tell apart are equal.
 std::vector<Setting> paretoFront(std::vector<Setting> settings, const Reference& reference);
 
-/// The cheapest whose error stays within the budget even if the reference's own comes on top; null
-/// when none does.
+/// The setting of the least work whose error stays within the budget even if the reference's own
+/// comes on top; null when none does. Of those of equal work, one of the scene's integrator; of
+/// those, the one with the scene's step, else with the shortest. Nothing here is timed: the same
+/// scene gives the same setting every time.
 const Setting* cheapestWithin(const std::vector<Setting>& settings, const Reference& reference,
-                              double error_budget);
+                              double error_budget, const SolverOptions& scene);
 
 }  // namespace rigid_body_sim

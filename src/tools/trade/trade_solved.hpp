@@ -7,7 +7,7 @@
 namespace rigid_body_sim {
 
 // Motions that need no steps, at equal intervals from the initial state on, in long double: its
-// rounding is 2000 times finer than that of what is held against them.
+// rounding is 2000 times finer than that of what is compared with them.
 
 /// Of bodies that do not act on one another, without laws or drag: by Taylor series. Throws
 /// StepTooLong.

@@ -100,7 +100,7 @@ TEST(Trade, RecommendsSettingsThatMeetTheBudget) {
         test::ladders(world.bench.world, world.bench.initial, reference);
     const reference::Motions truth = test::referenceRun(world, kDuration);
     for (double budget : {1e-3, 1e-6, 1e-9}) {
-      const Setting* best = cheapestWithin(settings, reference, budget);
+      const Setting* best = cheapestWithin(settings, reference, budget, world.bench.world.solver);
       ASSERT_NE(best, nullptr) << seed << ' ' << budget;
       Simulation simulation = world.bench.simulation(best->integrator, best->time_step);
       const double error = test::motionErrors(stateAt(simulation, kDuration), truth).attitude;

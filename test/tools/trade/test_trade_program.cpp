@@ -15,7 +15,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "math/shortest.hpp"
 #include "support/run_command.hpp"
+#include "tools/trade/trade_write.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -46,6 +50,29 @@ std::vector<std::string> linesOf(std::istream&& text) {
 }
 
 std::vector<std::string> fileLines(const std::string& path) { return linesOf(std::ifstream(path)); }
+
+std::string fileText(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// The two lines of advice, "integrator: …" and "time_step: …".
+std::string advice(const std::string& out) {
+  const std::size_t begin = out.find("\nintegrator: ") + 1;
+  return out.substr(begin, out.find('\n', out.find("\ntime_step: ") + 1) + 1 - begin);
+}
+
+/// Two bodies on a spring, with comments, and the keys of the solver as given.
+std::string springScene(const std::string& solver) {
+  return "# a pair  # of bodies\n" + solver + R"(horizon: 1
+bodies:
+  - {name: a, shape: {box: [0.4, 0.3, 0.2]}, mass: 2, position: [0, 0, 0.8]}
+  - {name: b, shape: {box: [0.1, 0.3, 0.2]}, mass: 1, position: [0, 0, -0.8]}  # below
+forces:
+  - {type: spring, from: {body: a}, to: {body: b, point: [0, 0.1, 0]}, stiffness: 12}
+)";
+}
 
 /// Waits for one more byte; false where none comes any more.
 bool readByte(int pipe, std::string& all) {
@@ -98,6 +125,90 @@ TEST(TradeProgram, SaysThatThePlotIsMissingWithoutGnuplot) {
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_NE(run.out.find("gnuplot is not installed"), std::string::npos) << run.out;
   EXPECT_GT(fileLines(out + "/trade.csv").size(), 9U);
+}
+
+TEST(TradeProgram, GivesTheSameAdviceEveryTime) {
+  const std::string path = newDirectory() + "/scene.yaml";
+  // steps of 0.04 and 0.08 s do equal work: auto divides the longer ones
+  std::ofstream(path) << springScene("time_step: 0.005\ntolerance: 1e-8\n");
+  const std::string first = advice(trade(path + " --out " + newDirectory()).out);
+  EXPECT_EQ(first.find("integrator: "), 0U);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(advice(trade(path + " --out " + newDirectory()).out), first) << i;
+}
+
+TEST(TradeProgram, KeepsTheStepOfASceneThatIsSolvedWhateverTheStep) {
+  const Outcome run = trade(kScene + " --duration 0.1 --out " + newDirectory());
+  EXPECT_NE(run.out.find("That is what the scene says now.\n"), std::string::npos) << run.out;
+}
+
+TEST(TradeProgram, WritesItsAdviceIntoTheSceneAndKeepsTheRest) {
+  const std::string path = newDirectory() + "/scene.yaml";
+  std::ofstream(path) << springScene("time_step: 0.001   # [s]\ntolerance: 1e-3\n");
+  const Outcome run = trade(path + " --write --out " + newDirectory());
+  EXPECT_EQ(run.exit_code, 0);
+  const Scene written = loadScene(path);
+  EXPECT_EQ(advice(run.out), "integrator: " + written.integrator +
+                                 "\ntime_step: " + shortest(written.time_step) + "\n");
+  EXPECT_NE(written.time_step, 0.001);
+  // what was written is what the scene says now
+  const Outcome again = trade(path + " --error-budget 1e-3 --write --out " + newDirectory());
+  EXPECT_NE(again.out.find("That is what the scene says now."), std::string::npos) << again.out;
+}
+
+TEST(WriteSolver, ReplacesTwoKeysAndKeepsEverythingElse) {
+  const std::string path = newDirectory() + "/scene.yaml";
+  std::ofstream(path) << springScene("time_step: 0.001   # [s]\ntolerance: 1e-3\n");
+  EXPECT_EQ(writeSolver(path, "rk4", 0.03), path + ": now integrator rk4, time_step 0.03");
+  EXPECT_EQ(fileText(path), springScene("time_step: 0.03   # [s]\nintegrator: rk4\n# tolerance: "
+                                        "1e-3\n"));
+  writeSolver(path, "auto", 0.1);
+  EXPECT_EQ(fileText(path),
+            springScene("time_step: 0.1   # [s]\nintegrator: auto\n# tolerance: 1e-3\n"));
+  // ends of lines as they are
+  std::string windows;
+  for (char c : springScene("time_step: 0.001\n"))
+    windows += c == '\n' ? "\r\n" : std::string(1, c);
+  std::ofstream(path, std::ios::binary) << windows;
+  writeSolver(path, "dop853", 0.25);
+  windows.replace(windows.find("0.001"), 5, "0.25\r\nintegrator: dop853");
+  EXPECT_EQ(fileText(path), windows);
+}
+
+TEST(TradeProgram, LeavesASceneThatItCannotEditAsItIs) {
+  const std::string path = newDirectory() + "/scene.yaml";
+  const std::string flow =
+      "{time_step: 0.001, tolerance: 1e-3, horizon: 1, bodies: [{name: a, mass: 1, shape: {box: "
+      "[1, 2, 3]}}], forces: [{type: spring, from: {body: a}, to: {world: [0, 0, 1]}, stiffness: "
+      "9}]}\n";
+  std::ofstream(path) << flow;
+  const Outcome run = trade(path + " --write --out " + newDirectory() + " 2>&1");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("scene.yaml: its keys do not stand on lines of their own: left as it was"),
+            std::string::npos)
+      << run.out;
+  EXPECT_EQ(fileText(path), flow);
+}
+
+TEST(TradeProgram, MeasuresARunShorterThanAStep) {
+  const std::string out = newDirectory();
+  const Outcome run = trade(kScene + " --duration 1e-9 --out " + out + " 2>&1");
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  EXPECT_EQ(run.out.find("inf"), std::string::npos) << run.out;
+  const std::vector<std::string> rows = fileLines(out + "/trade.csv");
+  ASSERT_GT(rows.size(), 2U);
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    EXPECT_EQ(rows[i].find("inf"), std::string::npos) << rows[i];
+}
+
+TEST(TradeProgram, RefusesToOverwriteTheSceneByItsTable) {
+  const std::string directory = newDirectory(), path = directory + "/trade.csv";
+  std::ofstream(path) << springScene("time_step: 0.005\n");
+  const Outcome run = trade(path + " --out " + directory + " 2>&1");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.out.find("the table and the scene are the same file"), std::string::npos)
+      << run.out;
+  EXPECT_EQ(fileText(path), springScene("time_step: 0.005\n"));
 }
 
 TEST(TradeProgram, LeavesAValidFileWhenInterrupted) {

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Trade, ShippedScene, testing::ValuesIn(shippedScenes())
 
 TEST_P(ShippedScene, KeepsTheBudgetWithTheSettingRecommended) {
   for (double budget : {1e-3, 1e-6, 1e-9}) {
-    const Setting* best = cheapestWithin(settings, reference, budget);
+    const Setting* best = cheapestWithin(settings, reference, budget, bench.world.solver);
     ASSERT_NE(best, nullptr) << budget;
     EXPECT_LE(errorOf(run(best->integrator, best->time_step)), budget)
         << best->integrator << ' ' << best->time_step;

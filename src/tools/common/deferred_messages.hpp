@@ -6,14 +6,14 @@
 
 namespace rigid_body_sim {
 
-/// What a program says on standard error before its results: held until no input can be at fault
-/// any more, as the line that tells of a fault stands there alone.
-class Preface {
+/// Lines for standard error that wait until no input can be at fault any more: the line that
+/// reports a fault stands alone.
+class DeferredMessages {
  public:
   void add(const std::string& line) { lines_.push_back(line); }
 
-  /// Once; later calls say what has been added since.
-  void say() {
+  /// Prints what has been added since the last call.
+  void print() {
     for (const std::string& line : lines_) std::fprintf(stderr, "%s\n", line.c_str());
     lines_.clear();
   }

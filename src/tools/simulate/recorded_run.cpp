@@ -1,0 +1,41 @@
+#include "tools/simulate/recorded_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/shortest.hpp"
+#include "programs/formatted.hpp"
+#include "ros/bag/record_end.hpp"
+
+namespace rigid_body_sim {
+
+RecordedRun::RecordedRun(const std::string& path, const Scene& scene, const World& world)
+    : path_(path),
+      recorded_(readBagInputs(path, scene, world)),
+      end_(recordEnd(path, recorded_.origin)),
+      replay_(recorded_.inputs) {}
+
+std::string RecordedRun::notice() const {
+  return recorded_.notice.empty() ? "" : path_ + ": " + recorded_.notice;
+}
+
+double RecordedRun::length(const Scene& scene) const {
+  const double h = scene.time_step;
+  if (!end_ || *end_ < static_cast<double>(replay_.lastStep()) * h)
+    return std::max(scene.horizon, endOfEffects(recorded_.inputs, h));
+  return std::max(1.0, std::floor(*end_ / h + 1e-6)) * h;
+}
+
+std::vector<InputEffects> RecordedRun::effects(const World& world) const {
+  return effectsOf(recorded_.inputs, replay_.size() - replay_.remaining(), world.bodies.size());
+}
+
+std::string RecordedRun::remainder(double duration) const {
+  if (replay_.isDone()) return "";
+  return formatted(
+      "%s: %zu of %zu inputs were not applied: they come at or after %s s, where this "
+      "run ends (--duration)",
+      path_.c_str(), replay_.remaining(), replay_.size(), shortest(duration).c_str());
+}
+
+}  // namespace rigid_body_sim

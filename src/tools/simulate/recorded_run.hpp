@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ros/bag/bag_inputs.hpp"
+#include "ros/inputs/input_replay.hpp"
+#include "tools/simulate/input_effects.hpp"
+
+namespace rigid_body_sim {
+
+/// The run of a node in a bag, to be repeated.
+class RecordedRun {
+ public:
+  /// Throws std::runtime_error with one line, the path first, for a bag that cannot be used.
+  RecordedRun(const std::string& path, const Scene& scene, const World& world);
+
+  /// A line for the user about what the bag does not hold; may be empty.
+  std::string notice() const;
+
+  /// [s] How long the recorded run was, in whole steps; where the bag does not show it, the horizon
+  /// or as long as its inputs act, whichever is longer.
+  double length(const Scene& scene) const;
+
+  const TimeOrigin& origin() const { return recorded_.origin; }
+  InputReplay& replay() { return replay_; }
+
+  /// Of the inputs that have been applied so far.
+  std::vector<InputEffects> effects(const World& world) const;
+
+  /// A line about inputs that a run of this duration [s] has not applied; empty if there is none.
+  std::string remainder(double duration) const;
+
+ private:
+  std::string path_;
+  BagInputs recorded_;
+  std::optional<double> end_;  // [s]
+  InputReplay replay_;
+};
+
+}  // namespace rigid_body_sim
