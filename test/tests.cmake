@@ -45,6 +45,7 @@ rigid_body_sim_gtest(node FOLDERS ros LIBRARIES rigid_body_sim_ros)
 
 # programs that tests run, by the name of a definition
 set(program_definitions
+  RIGID_BODY_SIM_COMPARE_RUNS="$<TARGET_FILE:rigid_body_sim_compare_runs>"
   RIGID_BODY_SIM_CONFIG="${PROJECT_SOURCE_DIR}/config"
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes"
   RIGID_BODY_SIM_DEMO_PUSHER="$<TARGET_FILE:rigid_body_sim_demo_pusher>"

@@ -24,8 +24,20 @@ TEST_P(Help, IsGivenByEveryProgramWithoutAMaster) {
   EXPECT_NE(run.out.find("--help"), std::string::npos) << run.out;
 }
 
+TEST_P(Help, ThatCannotBeWrittenIsNoSuccess) {
+  for (const char* output : {">/dev/full", ">&-"}) {
+    const test::Outcome run =
+        test::runCommand("exec 3>&1; " + std::string(GetParam().path) + " --help 2>&3 " + output);
+    EXPECT_EQ(run.exit_code, 1) << output;
+    EXPECT_EQ(run.out.find(std::string(GetParam().name) + ": standard output cannot be written: "),
+              0U)
+        << run.out;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Programs, Help,
-                         ::testing::Values(Program{"demo_pusher", RIGID_BODY_SIM_DEMO_PUSHER},
+                         ::testing::Values(Program{"compare_runs", RIGID_BODY_SIM_COMPARE_RUNS},
+                                           Program{"demo_pusher", RIGID_BODY_SIM_DEMO_PUSHER},
                                            Program{"mass_properties",
                                                    RIGID_BODY_SIM_MASS_PROPERTIES},
                                            Program{"rigid_body_node", RIGID_BODY_SIM_NODE},

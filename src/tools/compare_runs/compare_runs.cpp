@@ -1,0 +1,55 @@
+// Compares two runs, instant by instant: bags of the node or of simulate, or CSV files of simulate.
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "programs/run_program.hpp"
+#include "programs/standard_streams.hpp"
+#include "programs/usage.hpp"
+#include "tools/compare_runs/motion_difference.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+const char* const kHelp = R"(usage: compare_runs FIRST SECOND [options]
+Compares two runs of the same bodies at the instants that both hold, and prints the greatest
+differences of each body. Both are
+  bags (.bag): the odometry of the bodies, recorded from a node or written by simulate --bag; or
+  CSV files (any other name) of simulate --csv.
+
+  --tolerance X  differences up to X count as none: position [m], attitude [rad], velocity [m/s],
+                 angular velocity [rad/s]; default: the bits must be the same
+  --help         this text
+
+Exit status: 0 the runs agree; 1 they differ, or the input is at fault; 2 wrong usage.
+)";
+
+void compare(const std::vector<std::string>& files, double tolerance) {
+  if (isBag(files[0]) != isBag(files[1]))
+    throw UsageError("a bag and a CSV file cannot be compared: their velocities have other axes");
+  bool agree = true;
+  std::string report;
+  for (const MotionDifference& body : differencesOf(readMotion(files[0]), readMotion(files[1]))) {
+    report += text(body);
+    agree &= body.isWithin(tolerance);
+  }
+  print(report);
+  if (!agree) throw std::runtime_error("the runs differ");
+}
+
+}  // namespace
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  using namespace rigid_body_sim;
+  return runProgram("compare_runs", [&] {
+    double tolerance = 0;
+    const OptionActions actions{
+        {"tolerance", [&](const char* s) { tolerance = positiveNumber("tolerance", s); }}};
+    const auto files = readCommandLine(argc, argv, actions, "exactly two files are", 2, {});
+    if (files)
+      compare(*files, tolerance);
+    else
+      print(kHelp);
+  });
+}

@@ -1,0 +1,105 @@
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <rosbag/bag.h>
+
+#include "support/run_command.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+class CompareRuns : public ::testing::Test {
+ protected:
+  test::Outcome compare(const std::string& arguments) const {
+    return test::runCommand(RIGID_BODY_SIM_COMPARE_RUNS " " + arguments + " 2>&1");
+  }
+
+  /// A CSV file of a body at x [m], turned by 2 asin(qz) about z, at two instants.
+  std::string csv(const std::string& name, const std::string& x, const std::string& q) const {
+    return files.written(name,
+                         "time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n"
+                         "0,box,0,0,0,0,0,0,1,0,0,0,0,0,0\n"
+                         "0.1,box," +
+                             x + ",0,0," + q + ",0,2,0,0,0,3\n");
+  }
+
+  /// A bag of odometry of `box` at x [m], twice, a second apart from `start` on.
+  std::string bag(const std::string& name, double x, const ros::Time& start) const {
+    rosbag::Bag bag(files.path(name), rosbag::bagmode::Write);
+    for (int i = 0; i < 2; ++i) {
+      nav_msgs::Odometry odometry;
+      odometry.header.stamp = start + ros::Duration(i);
+      odometry.child_frame_id = "box";
+      odometry.pose.pose.position.x = i * x;
+      odometry.pose.pose.orientation.w = 1;
+      bag.write("/box/odom", odometry.header.stamp, odometry);
+    }
+    return files.path(name);
+  }
+
+  TemporaryDirectory files;
+};
+
+}  // namespace
+
+TEST_F(CompareRuns, FindsTheSameBits) {
+  const std::string a = csv("a.csv", "0.3", "0,0,0,1"), b = csv("b.csv", "0.3", "0,0,0,1");
+  const test::Outcome run = compare(a + " " + b);
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, "box: 2 instants in both, 0 in one only: the same bits\n");
+  const std::string first = bag("a.bag", 5, ros::Time(7)), second = bag("b.bag", 5, ros::Time(7));
+  EXPECT_EQ(compare(first + " " + second).out, run.out);
+}
+
+TEST_F(CompareRuns, MeasuresWhatDiffers) {
+  const std::string a = csv("a.csv", "0.3", "0,0,0,1");
+  const std::string b = csv("b.csv", "0.3000001", "0,0,0.6,0.8");
+  const test::Outcome run = compare(a + " " + b);
+  EXPECT_EQ(run.exit_code, 1);
+  // 2 asin 0.6 = 1.287 rad
+  EXPECT_EQ(run.out,
+            "box: 2 instants in both, 0 in one only: position 1e-07 m, attitude 1.3 rad, velocity "
+            "0 m/s, angular velocity 0 rad/s; first at 0.100000000 s\n"
+            "compare_runs: the runs differ\n");
+  EXPECT_EQ(compare(a + " " + b + " --tolerance 1.3").exit_code, 0);
+  EXPECT_EQ(compare(a + " " + b + " --tolerance 1.2").exit_code, 1);
+  // a difference below what is printed is one, too
+  const std::string c = csv("c.csv", "0.30000000000000004", "0,0,0,1");
+  EXPECT_EQ(compare(a + " " + c).exit_code, 1);
+  // and so is one whose square is below the least double
+  const std::string d = csv("d.csv", "0", "0,0,0,1"), e = csv("e.csv", "1e-300", "0,0,0,1");
+  EXPECT_EQ(compare(d + " " + e).exit_code, 1);
+  EXPECT_EQ(compare(d + " " + e + " --tolerance 1e-9").exit_code, 0);
+}
+
+TEST_F(CompareRuns, RefusesWhatCannotBeCompared) {
+  const std::string a = csv("a.csv", "0.3", "0,0,0,1");
+  const std::string early = bag("a.bag", 1, ros::Time(7)), late = bag("b.bag", 1, ros::Time(90));
+  const auto refused = [&](const std::string& arguments, int code, const std::string& line) {
+    const test::Outcome run = compare(arguments);
+    EXPECT_EQ(run.exit_code, code) << arguments;
+    EXPECT_EQ(run.out, "compare_runs: " + line + "\n");
+  };
+  refused(early + " " + late, 1,
+          "body 'box': no instant in common: the first run holds 7.000000000 to 8.000000000 s, the "
+          "second 90.000000000 to 91.000000000 s");
+  refused(a + " " + early, 2,
+          "a bag and a CSV file cannot be compared: their velocities have other axes "
+          "(compare_runs --help)");
+  refused(a, 2, "exactly two files are needed, got 1 (compare_runs --help)");
+  refused(a + " no.csv", 1, "no.csv: No such file or directory");
+  const std::string broken =
+      files.written("broken.csv",
+                    "time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n0,box,0,nan,0,0,0,0,1,0,0,0,"
+                    "0,0,0\n");
+  refused(a + " " + broken, 1, broken + ": line 2: a finite number is expected, got 'nan'");
+  const std::string text = files.written("x.csv", "hello\n");
+  refused(a + " " + text, 1,
+          text +
+              ": neither a bag (.bag) nor a CSV file of simulate: line 1 must be "
+              "time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz");
+}
+
+}  // namespace rigid_body_sim
