@@ -10,6 +10,25 @@ std::int64_t nanoseconds(const ros::Time& stamp) {
   return static_cast<std::int64_t>(stamp.sec) * 1000000000 + stamp.nsec;
 }
 
+/// A message with the fields x, y and z.
+template <class Message>
+Message xyz(const Vector3d& v) {
+  Message message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
+}
+
+geometry_msgs::TransformStamped stamped(const std::string& parent, const std::string& child,
+                                        const ros::Time& stamp) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = stamp;
+  transform.header.frame_id = parent;
+  transform.child_frame_id = child;
+  return transform;
+}
+
 }  // namespace
 
 bool TimeOrigin::hasStamp(double t) const {
@@ -40,21 +59,9 @@ double toSeconds(const ros::Duration& duration) {
   return static_cast<double>(duration.toNSec()) / 1e9;
 }
 
-geometry_msgs::Point toPoint(const Vector3d& v) {
-  geometry_msgs::Point p;
-  p.x = v.x();
-  p.y = v.y();
-  p.z = v.z();
-  return p;
-}
+geometry_msgs::Point toPoint(const Vector3d& v) { return xyz<geometry_msgs::Point>(v); }
 
-geometry_msgs::Vector3 toVector3(const Vector3d& v) {
-  geometry_msgs::Vector3 u;
-  u.x = v.x();
-  u.y = v.y();
-  u.z = v.z();
-  return u;
-}
+geometry_msgs::Vector3 toVector3(const Vector3d& v) { return xyz<geometry_msgs::Vector3>(v); }
 
 geometry_msgs::Quaternion toQuaternion(const Quaterniond& q) {
   geometry_msgs::Quaternion u;
@@ -101,10 +108,7 @@ geometry_msgs::TransformStamped toTransform(const Body& body, const BodyState& s
                                             const std::string& world_frame,
                                             const std::string& body_frame, const ros::Time& stamp) {
   const BodyFrameMotion motion = toBodyFrameMotion(body, state);
-  geometry_msgs::TransformStamped transform;
-  transform.header.stamp = stamp;
-  transform.header.frame_id = world_frame;
-  transform.child_frame_id = body_frame;
+  geometry_msgs::TransformStamped transform = stamped(world_frame, body_frame, stamp);
   transform.transform.translation = toVector3(motion.x_W);
   transform.transform.rotation = toQuaternion(motion.q_WB);
   return transform;
@@ -112,10 +116,7 @@ geometry_msgs::TransformStamped toTransform(const Body& body, const BodyState& s
 
 geometry_msgs::TransformStamped toTransform(const Isometry3d& X, const std::string& parent,
                                             const std::string& child, const ros::Time& stamp) {
-  geometry_msgs::TransformStamped transform;
-  transform.header.stamp = stamp;
-  transform.header.frame_id = parent;
-  transform.child_frame_id = child;
+  geometry_msgs::TransformStamped transform = stamped(parent, child, stamp);
   transform.transform.translation = toVector3(X.translation());
   transform.transform.rotation = toQuaternion(Quaterniond(X.linear()));
   return transform;
