@@ -28,6 +28,14 @@ double positiveNumber(const std::string& option, const char* text) {
   return x;
 }
 
+OptionActions::value_type textInto(std::optional<std::string>& kept, const std::string& option) {
+  return {option, [&kept](const char* text) { kept = text; }};
+}
+
+OptionActions::value_type numberInto(std::optional<double>& kept, const std::string& option) {
+  return {option, [&kept, option](const char* text) { kept = positiveNumber(option, text); }};
+}
+
 void requireCountable(double duration, double length, const std::string& things) {
   if (duration / length <= kMaxSteps) return;
   std::ostringstream fault;

@@ -31,6 +31,10 @@ void requireCountable(double duration, double length, const std::string& things)
 /// What takes the value of each option, named without its dashes.
 using OptionActions = std::map<std::string, std::function<void(const char* value)>>;
 
+/// The entry of an option whose value is kept as it is, or as a finite number > 0.
+OptionActions::value_type textInto(std::optional<std::string>& kept, const std::string& option);
+OptionActions::value_type numberInto(std::optional<double>& kept, const std::string& option);
+
 /// What an option without a value sets to true, by the option's name without its dashes.
 using Flags = std::map<std::string, bool*>;
 

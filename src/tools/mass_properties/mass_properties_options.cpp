@@ -16,11 +16,10 @@ MassFormat formatNamed(const std::string& name) {
 
 MassPropertiesOptions parseMassPropertiesOptions(int argc, char** argv) {
   MassPropertiesOptions options;
-  const OptionActions actions{
-      {"density", [&](const char* s) { options.density = positiveNumber("density", s); }},
-      {"mass", [&](const char* s) { options.mass = positiveNumber("mass", s); }},
-      {"scale", [&](const char* s) { options.scale = positiveNumber("scale", s); }},
-      {"format", [&](const char* s) { options.format = formatNamed(s); }}};
+  const OptionActions actions{numberInto(options.density, "density"),
+                              numberInto(options.mass, "mass"),
+                              numberInto(options.scale, "scale"),
+                              {"format", [&](const char* s) { options.format = formatNamed(s); }}};
   const auto file = readCommandLine(argc, argv, actions, "file");
   options.help = !file;
   if (options.density && options.mass) throw UsageError("--density cannot stand beside --mass");

@@ -22,14 +22,14 @@ std::string integratorNamed(const std::string& name) {
 SimulateOptions parseSimulateOptions(int argc, char** argv) {
   SimulateOptions options;
   const OptionActions actions{
-      {"duration", [&](const char* s) { options.duration = positiveNumber("duration", s); }},
-      {"sample", [&](const char* s) { options.sample = positiveNumber("sample", s); }},
-      {"time-step", [&](const char* s) { options.time_step = positiveNumber("time-step", s); }},
-      {"tolerance", [&](const char* s) { options.tolerance = positiveNumber("tolerance", s); }},
+      numberInto(options.duration, "duration"),
+      numberInto(options.sample, "sample"),
+      numberInto(options.time_step, "time-step"),
+      numberInto(options.tolerance, "tolerance"),
       {"integrator", [&](const char* s) { options.integrator = integratorNamed(s); }},
-      {"csv", [&](const char* s) { options.csv = s; }},
-      {"bag", [&](const char* s) { options.bag = s; }},
-      {"wrench-bag", [&](const char* s) { options.wrench_bag = s; }}};
+      textInto(options.csv, "csv"),
+      textInto(options.bag, "bag"),
+      textInto(options.wrench_bag, "wrench-bag")};
   const auto scene = readCommandLine(argc, argv, actions, "scene file");
   options.help = !scene;
   options.scene = scene.value_or("");

@@ -18,11 +18,9 @@ std::string directory(const std::string& path) {
 
 TradeOptions parseTradeOptions(int argc, char** argv) {
   TradeOptions options;
-  const OptionActions actions{
-      {"duration", [&](const char* s) { options.duration = positiveNumber("duration", s); }},
-      {"error-budget",
-       [&](const char* s) { options.error_budget = positiveNumber("error-budget", s); }},
-      {"out", [&](const char* s) { options.out = directory(s); }}};
+  const OptionActions actions{numberInto(options.duration, "duration"),
+                              numberInto(options.error_budget, "error-budget"),
+                              {"out", [&](const char* s) { options.out = directory(s); }}};
   const auto scene =
       readCommandLine(argc, argv, actions, "scene file", {{"write", &options.write}});
   options.help = !scene;
