@@ -54,7 +54,7 @@ set(program_definitions
   RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:rigid_body_sim_simulate>"
   RIGID_BODY_SIM_TRADE="$<TARGET_FILE:rigid_body_sim_trade>")
 
-rigid_body_sim_gtest(tools FOLDERS tools LIBRARIES rigid_body_sim_bag)
+rigid_body_sim_gtest(tools FOLDERS tools LIBRARIES rigid_body_sim_bag rigid_body_sim_tools)
 target_compile_definitions(rigid_body_sim_test_tools PRIVATE ${program_definitions})
 add_dependencies(rigid_body_sim_test_tools ${programs})
 

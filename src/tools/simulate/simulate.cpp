@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
@@ -16,13 +18,13 @@
 #include "programs/usage.hpp"
 #include "tools/common/deferred_messages.hpp"
 #include "tools/common/progress_bar.hpp"
+#include "tools/common/slow_run_notice.hpp"
 #include "tools/common/state_at.hpp"
 #include "tools/simulate/bag_output.hpp"
 #include "tools/simulate/csv_writer.hpp"
 #include "tools/simulate/recorded_run.hpp"
 #include "tools/simulate/run_summary.hpp"
 #include "tools/simulate/simulate_options.hpp"
-#include "tools/simulate/slow_run_notice.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -9,7 +9,8 @@
 namespace rigid_body_sim {
 
 /// Says once, after ten seconds of computing, that a run takes long and why: steps that are divided
-/// because a body turns fast, or a great number of steps. Results do not depend on it.
+/// because a body turns fast, a solved motion of many turns a step, or a great number of steps.
+/// Results do not depend on it.
 class SlowRunNotice {
  public:
   /// t_end [s]: where the run ends. patience [s] of wall time.

@@ -1,6 +1,7 @@
-#include "tools/simulate/slow_run_notice.hpp"
+#include "tools/common/slow_run_notice.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "math/shortest.hpp"
 #include "programs/formatted.hpp"
@@ -8,27 +9,44 @@
 namespace rigid_body_sim {
 namespace {
 
-/// The body that turns fastest now, and how fast.
-std::string fastestBody(const Simulation& simulation) {
+struct FastestBody {
+  std::string name;
+  double rate = -1;  // [rad/s]
+};
+
+FastestBody fastestBody(const Simulation& simulation) {
   const World& world = simulation.world();
   const State state = simulation.state();
-  std::size_t fastest = 0;
-  double rate = -1;
+  FastestBody fastest;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (world.bodies[i].fixed) continue;
     const double w = toBodyFrameMotion(world.bodies[i], state.bodies[i]).w_W.norm();
-    if (w > rate) fastest = i, rate = w;
+    if (w > fastest.rate) fastest = {world.bodies[i].name, w};
   }
-  return formatted("'%s' turns fastest, at %.3g rad/s", world.bodies[fastest].name.c_str(), rate);
+  return fastest;
+}
+
+bool isSolved(const Simulation& simulation) {
+  const std::vector<MotionPlan> plans = simulation.plans();
+  return std::all_of(plans.begin(), plans.end(),
+                     [](const MotionPlan& plan) { return plan.integrator.empty(); });
 }
 
 std::string reasonOf(const Simulation& simulation) {
+  const FastestBody fastest = fastestBody(simulation);
+  const std::string turns =
+      formatted("'%s' turns fastest, at %.3g rad/s", fastest.name.c_str(), fastest.rate);
+  const double h = simulation.world().solver.time_step;
   if (simulation.maxSubsteps() > 1)
     return formatted("steps are divided into up to %d substeps to follow the motion (%s)",
-                     simulation.maxSubsteps(), fastestBody(simulation).c_str());
+                     simulation.maxSubsteps(), turns.c_str());
+  if (isSolved(simulation) && fastest.rate * h > 1)
+    return formatted(
+        "the motion is solved radian by radian (%s); a stated tolerance makes that "
+        "cheaper",
+        turns.c_str());
   return formatted("it takes many steps of %s s; a longer time_step takes fewer (%s)",
-                   shortest(simulation.world().solver.time_step).c_str(),
-                   fastestBody(simulation).c_str());
+                   shortest(h).c_str(), turns.c_str());
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "tools/common/slow_run_notice.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+constexpr double kNever = 1e9, kAtOnce = 0;  // [s] of patience
+
+Simulation simulationOfScene(const std::string& yaml) {
+  const Scene scene = parseScene(yaml, "slow");
+  const World world = buildWorld(scene);
+  return Simulation(world, initialState(scene, world));
+}
+
+/// A symmetric body that a steady torque makes turn faster and faster, beside a slow one.
+const char* const kSpinUp = R"(
+time_step: 10
+bodies:
+  - {name: slow, shape: {sphere: {radius: 1}}, mass: 1, position: [9, 0, 0]}
+  - {name: wheel, shape: {cylinder: {radius: 1, length: 0.1}}, mass: 1}
+wrenches: [{body: wheel, frame: wheel, torque: [0, 0, 1], duration: 1000}]
+)";
+
+}  // namespace
+
+TEST(SlowRunNotice, NamesTheBodyThatTurnsFastestAndHowFast) {
+  Simulation simulation = simulationOfScene(kSpinUp);
+  SlowRunNotice notice(1e4, kAtOnce);
+  simulation.step();
+  const std::string text = notice.textIfDue(simulation);
+  EXPECT_NE(text.find("have reached 10 of 1e+04 s"), std::string::npos) << text;
+  // ω = τ t / I with I = m r²/2
+  EXPECT_NE(text.find("solved radian by radian ('wheel' turns fastest, at 20 rad/s)"),
+            std::string::npos)
+      << text;
+}
+
+TEST(SlowRunNotice, NamesSubstepsAndShortSteps) {
+  const std::string body =
+      "bodies: [{name: wheel, shape: {sphere: {radius: 1}}, mass: 1, twist: "
+      "{frame: world, angular: [0, 0, 100]}}]\n";
+  SlowRunNotice divided(10, kAtOnce), many(10, kAtOnce);
+  Simulation fast = simulationOfScene("time_step: 1\nintegrator: rk4\n" + body);
+  fast.step();
+  ASSERT_GT(fast.maxSubsteps(), 1);
+  const std::string text = divided.textIfDue(fast);
+  EXPECT_NE(text.find("divided into up to " + std::to_string(fast.maxSubsteps()) + " substeps"),
+            std::string::npos)
+      << text;
+  Simulation fine = simulationOfScene("time_step: 1.0e-6\n" + body);
+  fine.step();
+  EXPECT_NE(many.textIfDue(fine).find("it takes many steps of 1e-06 s"), std::string::npos);
+}
+
+TEST(SlowRunNotice, ComesOnceAndNotBeforeItsTime) {
+  Simulation simulation = simulationOfScene(kSpinUp);
+  SlowRunNotice late(1e4, kNever), early(1e4, kAtOnce);
+  int count = 0;
+  for (int i = 0; i < 10; ++i) {
+    simulation.step();
+    EXPECT_EQ(late.textIfDue(simulation), "");
+    if (!early.textIfDue(simulation).empty()) ++count;
+  }
+  EXPECT_EQ(count, 1);
+}
+
+}  // namespace rigid_body_sim
