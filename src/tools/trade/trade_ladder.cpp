@@ -62,7 +62,7 @@ void climbLadder(const World& world, const Reference& reference, const std::stri
     if (!setting) continue;
     measured(*setting);
     const double error = setting->errors.bounded();
-    if (error < 1e-2 && error > last_error / 1.5) break;  // rounding dominates
+    if (error < 1e-2 && error >= last_error / 1.5) break;  // rounding dominates
     last_error = error;
   }
 

@@ -88,7 +88,7 @@ Track refined(const World& world, const State& initial, const std::string& integ
       const double before = least;
       if (gap < least) best = run.track;
       least = std::min(least, gap);
-      if (before < kConverging && gap > before / kGain) break;
+      if (before < kConverging && gap >= before / kGain) break;
     }
     last = std::move(run);
   }

@@ -70,7 +70,8 @@ bodies:
   - {name: a, shape: {box: [0.4, 0.3, 0.2]}, mass: 2, position: [0, 0, 0.8]}
   - {name: b, shape: {box: [0.1, 0.3, 0.2]}, mass: 1, position: [0, 0, -0.8]}  # below
 forces:
-  - {type: spring, from: {body: a}, to: {body: b, point: [0, 0.1, 0]}, stiffness: 12}
+  - {type: spring, from: {body: a}, to: {body: b, point: [0, 0.1, 0]}, stiffness: 12,
+     damping: 1}
 )";
 }
 
@@ -127,16 +128,6 @@ TEST(TradeProgram, SaysThatThePlotIsMissingWithoutGnuplot) {
   EXPECT_GT(fileLines(out + "/trade.csv").size(), 9U);
 }
 
-TEST(TradeProgram, GivesTheSameAdviceEveryTime) {
-  const std::string path = newDirectory() + "/scene.yaml";
-  // steps of 0.04 and 0.08 s do equal work: auto divides the longer ones
-  std::ofstream(path) << springScene("time_step: 0.005\ntolerance: 1e-8\n");
-  const std::string first = advice(trade(path + " --out " + newDirectory()).out);
-  EXPECT_EQ(first.find("integrator: "), 0U);
-  for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(advice(trade(path + " --out " + newDirectory()).out), first) << i;
-}
-
 TEST(TradeProgram, KeepsTheStepOfASceneThatIsSolvedWhateverTheStep) {
   const Outcome run = trade(kScene + " --duration 0.1 --out " + newDirectory());
   EXPECT_NE(run.out.find("That is what the scene says now.\n"), std::string::npos) << run.out;
@@ -144,16 +135,17 @@ TEST(TradeProgram, KeepsTheStepOfASceneThatIsSolvedWhateverTheStep) {
 
 TEST(TradeProgram, WritesItsAdviceIntoTheSceneAndKeepsTheRest) {
   const std::string path = newDirectory() + "/scene.yaml";
-  std::ofstream(path) << springScene("time_step: 0.001   # [s]\ntolerance: 1e-3\n");
-  const Outcome run = trade(path + " --write --out " + newDirectory());
+  std::ofstream(path) << springScene("time_step: 5e-11   # [s]\ntolerance: 1e-3\n");
+  // too short for errors above rounding: every ladder has a few steps
+  const Outcome run = trade(path + " --duration 1e-9 --write --out " + newDirectory());
   EXPECT_EQ(run.exit_code, 0);
   const Scene written = loadScene(path);
   EXPECT_EQ(advice(run.out), "integrator: " + written.integrator +
                                  "\ntime_step: " + shortest(written.time_step) + "\n");
-  EXPECT_NE(written.time_step, 0.001);
-  // what was written is what the scene says now
-  const Outcome again = trade(path + " --error-budget 1e-3 --write --out " + newDirectory());
-  EXPECT_NE(again.out.find("That is what the scene says now."), std::string::npos) << again.out;
+  EXPECT_GT(written.time_step, 5e-11);
+  EXPECT_EQ(fileText(path),
+            springScene("time_step: " + shortest(written.time_step) +
+                        "   # [s]\nintegrator: " + written.integrator + "\n# tolerance: 1e-3\n"));
 }
 
 TEST(WriteSolver, ReplacesTwoKeysAndKeepsEverythingElse) {
@@ -178,11 +170,11 @@ TEST(WriteSolver, ReplacesTwoKeysAndKeepsEverythingElse) {
 TEST(TradeProgram, LeavesASceneThatItCannotEditAsItIs) {
   const std::string path = newDirectory() + "/scene.yaml";
   const std::string flow =
-      "{time_step: 0.001, tolerance: 1e-3, horizon: 1, bodies: [{name: a, mass: 1, shape: {box: "
+      "{time_step: 5e-11, tolerance: 1e-3, bodies: [{name: a, mass: 1, shape: {box: "
       "[1, 2, 3]}}], forces: [{type: spring, from: {body: a}, to: {world: [0, 0, 1]}, stiffness: "
-      "9}]}\n";
+      "9, damping: 1}]}\n";
   std::ofstream(path) << flow;
-  const Outcome run = trade(path + " --write --out " + newDirectory() + " 2>&1");
+  const Outcome run = trade(path + " --duration 1e-9 --write --out " + newDirectory() + " 2>&1");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.out.find("scene.yaml: its keys do not stand on lines of their own: left as it was"),
             std::string::npos)
