@@ -21,24 +21,33 @@ std::map<std::string, int> number(MarkerArray& all) {
   return count;
 }
 
-std::map<std::size_t, Trail> trailsOf(const std::vector<Body>& bodies) {
-  std::map<std::size_t, Trail> trails;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].fixed) continue;
-    const int first_id = static_cast<int>(trails.size()) * Trail::kStrips;
-    trails.emplace(i, Trail(first_id, 0.02 * sizeOf(bodies[i])));
-  }
-  return trails;
+int firstTrailId(std::size_t body) { return static_cast<int>(body) * Trail::kStrips; }
+
+void appendDeletion(const std::string& name_space, int id, MarkerArray& all) {
+  Marker marker;
+  marker.action = Marker::DELETE;
+  marker.ns = name_space;
+  marker.id = id;
+  all.markers.push_back(marker);
 }
 
 }  // namespace
 
-LiveMarkers::LiveMarkers(Topic<MarkerArray> topic, const std::string& world_frame,
-                         const World& world)
-    : world_frame_(world_frame), topic_(std::move(topic)), trails_(trailsOf(world.bodies)) {}
+LiveMarkers::LiveMarkers(Topic<MarkerArray> topic, const std::string& world_frame)
+    : world_frame_(world_frame), topic_(std::move(topic)) {}
+
+void LiveMarkers::add(std::size_t body, double trail_width) {
+  trails_.emplace(body, Trail(firstTrailId(body), trail_width));
+}
+
+void LiveMarkers::remove(std::size_t body) {
+  if (trails_.erase(body) == 0) return;
+  for (int i = 0; i < Trail::kStrips; ++i) ended_trails_.push_back(firstTrailId(body) + i);
+}
 
 void LiveMarkers::forget() {
   shown_.clear();
+  ended_trails_.clear();
   breakTrails();
 }
 
@@ -71,18 +80,14 @@ MarkerArray LiveMarkers::arrows(const Snapshot& snapshot) const {
   return all;
 }
 
-/// Deletes the arrows shown before beyond those that are shown now.
+/// Deletes the arrows shown before beyond those that are shown now, and trails that have ended.
 void LiveMarkers::deleteEnded(const std::map<std::string, int>& shown, MarkerArray& all) {
   for (const auto& [name_space, before] : shown_) {
     const auto now = shown.find(name_space);
-    for (int id = now == shown.end() ? 0 : now->second; id < before; ++id) {
-      Marker marker;
-      marker.action = Marker::DELETE;
-      marker.ns = name_space;
-      marker.id = id;
-      all.markers.push_back(marker);
-    }
+    for (int id = now == shown.end() ? 0 : now->second; id < before; ++id)
+      appendDeletion(name_space, id, all);
   }
+  for (const int id : std::exchange(ended_trails_, {})) appendDeletion(Trail::kNamespace, id, all);
 }
 
 void LiveMarkers::addTrails(const Snapshot& snapshot, MarkerArray& all) {

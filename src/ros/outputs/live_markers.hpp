@@ -2,10 +2,9 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <visualization_msgs/MarkerArray.h>
-
-#include <rigid_body_sim/dynamics/world.hpp>
 
 #include "ros/outputs/snapshot.hpp"
 #include "ros/outputs/topic.hpp"
@@ -18,8 +17,12 @@ namespace rigid_body_sim {
 /// somebody looks: a trail starts then.
 class LiveMarkers {
  public:
-  LiveMarkers(Topic<visualization_msgs::MarkerArray> topic, const std::string& world_frame,
-              const World& world);
+  LiveMarkers(Topic<visualization_msgs::MarkerArray> topic, const std::string& world_frame);
+
+  /// Takes in a body that moves, by its index in the world, with the width of its trail [m]; gives
+  /// it back: its trail and arrows go with the next message.
+  void add(std::size_t body, double trail_width);
+  void remove(std::size_t body);
 
   bool hasSubscribers() const { return topic_.subscribers() > 0; }
 
@@ -40,6 +43,7 @@ class LiveMarkers {
   Topic<visualization_msgs::MarkerArray> topic_;
   std::map<std::string, int> shown_;     // arrows by namespace; ids count from 0
   std::map<std::size_t, Trail> trails_;  // by body
+  std::vector<int> ended_trails_;        // of bodies given back: ids to delete
 };
 
 }  // namespace rigid_body_sim

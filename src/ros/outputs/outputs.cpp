@@ -15,13 +15,6 @@ namespace {
 /// Arrows and trails are for the eye [1/s of simulation time].
 constexpr double kMarkerRate = 30;
 
-std::vector<std::size_t> movingBodies(const World& world) {
-  std::vector<std::size_t> moving;
-  for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    if (!world.bodies[i].fixed) moving.push_back(i);
-  return moving;
-}
-
 boost::array<double, 36> diagonalMatrix(const std::array<double, 6>& diagonal) {
   boost::array<double, 36> matrix{};
   for (std::size_t i = 0; i < 6; ++i) matrix[7 * i] = diagonal[i];
@@ -40,17 +33,51 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
       origin_(origin),
       world_frame_(scene.world_frame),
       frames_(scene, options.tf_prefix),
-      moving_(movingBodies(simulation.world())),
       covariance_(diagonalMatrix(options.odometry_covariance)),
       publish_clock_(options.publish_clock),
       state_instants_(options.publish_rate, simulation.time()),
       clock_instants_(options.clock_rate, simulation.time()),
       marker_instants_(std::min(options.publish_rate, kMarkerRate), simulation.time()),
-      states_(emptyBodyStates(simulation.world(), scene.world_frame)),
-      live_markers_(topics_.live_markers, scene.world_frame, simulation.world()),
+      live_markers_(topics_.live_markers, scene.world_frame),
       bodies_(toMarkers(scene, frames_)) {
+  std::vector<std::optional<BodyTopics>> of_body(simulation.world().bodies.size());
+  for (BodyTopics& own : std::exchange(topics_.bodies, {})) of_body[own.body] = std::move(own);
+  for (std::size_t i = 0; i < of_body.size(); ++i) take(i, std::move(of_body[i]));
+  listBodies();
   publishOnce(scene);
   greet();
+}
+
+void Outputs::add(std::size_t body, std::optional<BodyTopics> topics) {
+  take(body, std::move(topics));
+  listBodies();
+}
+
+void Outputs::take(std::size_t body, std::optional<BodyTopics> topics) {
+  const Body& added = simulation_->world().bodies[body];
+  listed_.insert(std::lower_bound(listed_.begin(), listed_.end(), body), body);
+  if (!added.fixed) live_markers_.add(body, 0.02 * sizeOf(added));
+  if (!topics) return;
+  greet(*topics);
+  topics_.bodies.push_back(std::move(*topics));
+}
+
+void Outputs::remove(std::size_t body) {
+  const auto is_body = [body](const auto& topics) { return topics.body == body; };
+  listed_.erase(std::remove(listed_.begin(), listed_.end(), body), listed_.end());
+  listBodies();
+  live_markers_.remove(body);
+  topics_.bodies.erase(std::remove_if(topics_.bodies.begin(), topics_.bodies.end(), is_body),
+                       topics_.bodies.end());
+}
+
+/// Makes what depends on which bodies there are.
+void Outputs::listBodies() {
+  const World& world = simulation_->world();
+  moving_.clear();
+  for (const std::size_t body : listed_)
+    if (!world.bodies[body].fixed) moving_.push_back(body);
+  states_ = emptyBodyStates(world, listed_, world_frame_);
 }
 
 void Outputs::publishOnce(const Scene& scene) {
@@ -71,15 +98,17 @@ void Outputs::publishOnce(const Scene& scene) {
 
 /// What is sent to a subscriber that comes while time stands: to it alone, so that every subscriber
 /// receives strictly increasing stamps on /tf.
-void Outputs::greet() {
-  const auto greeting = [this](auto toMessage) {
-    return [this, toMessage]() {
-      using Message = decltype(toMessage(shown(), ros::Time()));
-      if (!standing_) return std::optional<Message>();
-      const Snapshot snapshot = shown();
-      return std::optional<Message>(toMessage(snapshot, origin_.stamp(snapshot.time())));
-    };
+template <class ToMessage>
+auto Outputs::greeting(ToMessage toMessage) {
+  return [this, toMessage]() {
+    using Message = decltype(toMessage(shown(), ros::Time()));
+    if (!standing_) return std::optional<Message>();
+    const Snapshot snapshot = shown();
+    return std::optional<Message>(toMessage(snapshot, origin_.stamp(snapshot.time())));
   };
+}
+
+void Outputs::greet() {
   topics_.tf.greetWith(greeting([this](const Snapshot& snapshot, const ros::Time& stamp) {
     greeted_ = stamp;
     return toTransforms(snapshot, stamp);
@@ -88,15 +117,16 @@ void Outputs::greet() {
     setStates(snapshot, stamp);
     return states_;
   }));
-  for (const BodyTopics& topics : topics_.bodies) {
-    const std::size_t body = topics.body;
-    topics.odometry.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
-      return toOdometry(body, snapshot, stamp);
-    }));
-    topics.applied_wrench.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
-      return toWrench(body, snapshot, stamp);
-    }));
-  }
+}
+
+void Outputs::greet(const BodyTopics& topics) {
+  const std::size_t body = topics.body;
+  topics.odometry.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
+    return toOdometry(body, snapshot, stamp);
+  }));
+  topics.applied_wrench.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
+    return toWrench(body, snapshot, stamp);
+  }));
 }
 
 double Outputs::shownTime() const { return std::max(last_t_, simulation_->time()); }
@@ -216,7 +246,7 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
 }
 
 void Outputs::setStates(const Snapshot& snapshot, const ros::Time& stamp) {
-  setBodyStates(snapshot.world(), snapshot.bodies(), stamp, states_);
+  setBodyStates(snapshot.world(), listed_, snapshot.bodies(), stamp, states_);
 }
 
 tf2_msgs::TFMessage Outputs::toTransforms(const Snapshot& snapshot, const ros::Time& stamp) const {

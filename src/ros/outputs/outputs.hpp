@@ -33,6 +33,11 @@ class Outputs {
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
 
+  /// Takes in a body of the world, with the topics of its own that it is to have: it is on ~states
+  /// and, if it moves, on /tf from now on. Gives it back: its topics end.
+  void add(std::size_t body, std::optional<BodyTopics> topics);
+  void remove(std::size_t body);
+
   /// [s] The next instant at which something is to be published, if it lies before the next step.
   /// What is due at a step is published after it, by publishDue.
   std::optional<double> instantWithinStep() const;
@@ -74,7 +79,12 @@ class Outputs {
 
  private:
   void publishOnce(const Scene& scene);
+  template <class ToMessage>
+  auto greeting(ToMessage toMessage);
   void greet();
+  void greet(const BodyTopics& topics);
+  void take(std::size_t body, std::optional<BodyTopics> topics);
+  void listBodies();
   void publishAt(double t, double reach);
   void publishState(double t, bool with_markers);
   void publishClock(double t);
@@ -93,7 +103,8 @@ class Outputs {
   const TimeOrigin& origin_;
   std::string world_frame_;
   TfFrames frames_;
-  std::vector<std::size_t> moving_;  // bodies
+  std::vector<std::size_t> listed_;  // bodies taken in, ascending
+  std::vector<std::size_t> moving_;  // those of them that move
   boost::array<double, 36> covariance_{};
   bool publish_clock_;
   bool standing_ = false;
@@ -105,7 +116,7 @@ class Outputs {
   LastStamp last_clock_stamp_;
   LastStamp greeted_;  // on /tf, while time stood
   double last_t_ = 0;
-  BodyStates states_;  // kept, as its names do not change
+  BodyStates states_;  // of listed_, kept for its names
   LiveMarkers live_markers_;
   visualization_msgs::MarkerArray bodies_;
   std::size_t viewers_ = 0;  // at the last call of repeatBodies

@@ -1,29 +1,37 @@
 #include "ros/outputs/state_messages.hpp"
 
+#include <numeric>
+
 namespace rigid_body_sim {
 
-BodyStates emptyBodyStates(const World& world, const std::string& world_frame) {
+BodyStates emptyBodyStates(const World& world, const std::vector<std::size_t>& bodies,
+                           const std::string& world_frame) {
   BodyStates message;
   message.header.frame_id = world_frame;
-  for (const Body& body : world.bodies) message.name.push_back(body.name);
-  message.pose.resize(world.bodies.size());
-  message.twist.resize(world.bodies.size());
+  for (const std::size_t body : bodies) message.name.push_back(world.bodies[body].name);
+  message.pose.resize(bodies.size());
+  message.twist.resize(bodies.size());
   return message;
 }
 
-void setBodyStates(const World& world, const std::vector<BodyState>& states, const ros::Time& stamp,
+void setBodyStates(const World& world, const std::vector<std::size_t>& bodies,
+                   const std::vector<BodyState>& states, const ros::Time& stamp,
                    BodyStates& message) {
   message.header.stamp = stamp;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    message.pose[i] = toPose(toBodyFrameMotion(world.bodies[i], states[i]));
-    message.twist[i] = toTwistInBodyAxes(world.bodies[i], states[i]);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Body& body = world.bodies[bodies[i]];
+    const BodyState& state = states[bodies[i]];
+    message.pose[i] = toPose(toBodyFrameMotion(body, state));
+    message.twist[i] = toTwistInBodyAxes(body, state);
   }
 }
 
 BodyStates toBodyStates(const World& world, const State& state, const std::string& world_frame,
                         const ros::Time& stamp) {
-  BodyStates message = emptyBodyStates(world, world_frame);
-  setBodyStates(world, state.bodies, stamp, message);
+  std::vector<std::size_t> all(world.bodies.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  BodyStates message = emptyBodyStates(world, all, world_frame);
+  setBodyStates(world, all, state.bodies, stamp, message);
   return message;
 }
 

@@ -12,11 +12,14 @@
 
 namespace rigid_body_sim {
 
-/// A message with the names of all bodies, whose states setBodyStates sets.
-BodyStates emptyBodyStates(const World& world, const std::string& world_frame);
+/// A message with the names of these bodies of the world, whose states setBodyStates sets.
+BodyStates emptyBodyStates(const World& world, const std::vector<std::size_t>& bodies,
+                           const std::string& world_frame);
 
-/// Sets pose and twist of every body, and the stamp.
-void setBodyStates(const World& world, const std::vector<BodyState>& states, const ros::Time& stamp,
+/// Sets pose and twist of these bodies, those of the message, and the stamp. states: by body of the
+/// world.
+void setBodyStates(const World& world, const std::vector<std::size_t>& bodies,
+                   const std::vector<BodyState>& states, const ros::Time& stamp,
                    BodyStates& message);
 
 /// Pose and twist of every body, fixed ones at rest among them, as in odometry.

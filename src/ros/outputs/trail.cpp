@@ -17,7 +17,7 @@ std::optional<Marker> Trail::add(const Vector3d& x_W) {
 
   Marker marker;
   marker.type = Marker::LINE_STRIP;
-  marker.ns = "motion/trail";
+  marker.ns = kNamespace;
   marker.id = first_id_ + strip_;
   marker.pose.orientation.w = 1;
   marker.scale.x = width_;

@@ -13,6 +13,7 @@ namespace rigid_body_sim {
 /// the strip that it belongs to only, and a strip takes the place of the oldest one.
 class Trail {
  public:
+  static constexpr const char* kNamespace = "motion/trail";
   static constexpr int kStrips = 10;
   static constexpr int kPointsPerStrip = 30;
 
