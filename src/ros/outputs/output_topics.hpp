@@ -40,8 +40,15 @@ struct TopicChoice {
   bool single_bodies = true;  ///< those of BodyTopics
 };
 
-/// The topics by the names that roscpp resolves. A Transport has
+/// The topics of a body that moves, by the names that roscpp resolves. A Transport has
 ///   template <class Message> Topic<Message> open(const std::string& name, bool latched);
+template <class Transport>
+BodyTopics openBodyTopics(Transport& transport, const std::string& name, std::size_t body) {
+  return {body, transport.template open<nav_msgs::Odometry>(name + "/odom", false),
+          transport.template open<geometry_msgs::WrenchStamped>(name + "/applied_wrench", false)};
+}
+
+/// All topics; Transport as above.
 template <class Transport>
 OutputTopics openTopics(Transport& transport, const World& world, const TopicChoice& choice) {
   constexpr bool kLatched = true;
@@ -58,11 +65,7 @@ OutputTopics openTopics(Transport& transport, const World& world, const TopicCho
     topics.clock = transport.template open<rosgraph_msgs::Clock>("/clock", !kLatched);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (world.bodies[i].fixed || !choice.single_bodies) continue;
-    const std::string& name = world.bodies[i].name;
-    topics.bodies.push_back({i,
-                             transport.template open<nav_msgs::Odometry>(name + "/odom", !kLatched),
-                             transport.template open<geometry_msgs::WrenchStamped>(
-                                 name + "/applied_wrench", !kLatched)});
+    topics.bodies.push_back(openBodyTopics(transport, world.bodies[i].name, i));
   }
   return topics;
 }

@@ -1,0 +1,83 @@
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ros/outputs/live_markers.hpp"
+#include "support/published_run.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+std::vector<std::string> children(const tf2_msgs::TFMessage& message) {
+  std::vector<std::string> frames;
+  for (const auto& transform : message.transforms) frames.push_back(transform.child_frame_id);
+  return frames;
+}
+
+std::set<int> trailIds(const MarkerArray& message, int action) {
+  std::set<int> ids;
+  for (const Marker& marker : message.markers)
+    if (marker.ns == "motion/trail" && marker.action == action) ids.insert(marker.id);
+  return ids;
+}
+
+}  // namespace
+
+TEST(Outputs, LeaveOutABodyThatIsRemovedUntilItIsAddedAgain) {
+  using Names = std::vector<std::string>;
+  test::PublishedRun run(0.01);
+  run.steps(1);
+  EXPECT_EQ(run.published.states.back().name, (Names{"box", "ball", "post"}));
+  EXPECT_EQ(children(run.published.tf.back()), (Names{"box", "ball"}));
+  const std::size_t odometry_of_box = run.published.odometry.at("box/odom").size();
+
+  run.outputs.remove(0);
+  run.steps(3);
+  EXPECT_EQ(run.published.states.back().name, (Names{"ball", "post"}));
+  EXPECT_EQ(run.published.states.back().pose.size(), 2U);
+  EXPECT_EQ(run.published.states.back().pose[1].position.x, 5);
+  EXPECT_EQ(children(run.published.tf.back()), Names{"ball"});
+  EXPECT_EQ(run.published.odometry.at("box/odom").size(), odometry_of_box);
+
+  run.outputs.add(0, openBodyTopics(run.published, run.world.bodies[0].name, 0));
+  run.steps(1);
+  EXPECT_EQ(run.published.states.back().name, (Names{"box", "ball", "post"}));
+  EXPECT_EQ(children(run.published.tf.back()), (Names{"box", "ball"}));
+  EXPECT_GT(run.published.odometry.at("box/odom").size(), odometry_of_box);
+  EXPECT_EQ(test::position(run.published.odometry.at("box/odom").back()),
+            toBodyFrameMotion(run.world.bodies[0], run.simulation.body(0)).x_W);
+}
+
+TEST(LiveMarkers, DeleteTheTrailOfABodyThatIsRemoved) {
+  test::PublishedRun run(0.01);
+  MarkerArray message;
+  LiveMarkers markers(
+      {[] { return 1; }, [&](const MarkerArray& all, const ros::Time&) { message = all; }},
+      "world");
+  markers.add(0, 0.1);
+  markers.add(1, 0.1);
+  const auto publish = [&] {
+    run.simulation.step();
+    markers.publish(Snapshot(run.simulation, run.simulation.time()), ros::Time(1));
+  };
+  publish();
+  publish();
+  EXPECT_EQ(trailIds(message, Marker::ADD).size(), 2U);
+
+  markers.remove(0);
+  publish();
+  const std::set<int> of_ball = trailIds(message, Marker::ADD);
+  const std::set<int> deleted = trailIds(message, Marker::DELETE);
+  EXPECT_EQ(of_ball.size(), 1U);
+  EXPECT_EQ(deleted.size(), static_cast<std::size_t>(Trail::kStrips));
+  EXPECT_EQ(deleted.count(*of_ball.begin()), 0U);
+  publish();
+  EXPECT_TRUE(trailIds(message, Marker::DELETE).empty());
+}
+
+}  // namespace rigid_body_sim
