@@ -11,7 +11,7 @@ target_link_libraries(rigid_body_sim_node_driver
 function(rigid_body_sim_rostest name)
   set(target rigid_body_sim_test_${name})
   add_rostest_gtest(${target} test/ros/node/${name}.test test/ros/node/test_${name}.cpp)
-  set_target_properties(${target} PROPERTIES OUTPUT_NAME test_${name})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME test_${name} UNITY_BUILD OFF)
   target_link_libraries(${target} rigid_body_sim_node_driver ${ARGN} rigid_body_sim_options)
   target_precompile_headers(${target} REUSE_FROM rigid_body_sim_test_math)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
