@@ -6,6 +6,7 @@
 
 #include <rigid_body_sim/math/isometry.hpp>
 
+#include "ros/outputs/arrow_markers.hpp"
 #include "ros/outputs/markers.hpp"
 #include "ros/outputs/state_messages.hpp"
 
