@@ -18,7 +18,7 @@ TEST(Apart, WorkReturnsItsResult) {
   EXPECT_EQ(outcome.fate, "");
 }
 
-TEST(Apart, WhatEndsWorkIsTold) {
+TEST(Apart, WhatEndsWorkIsReported) {
   EXPECT_EQ(doneApart([]() -> std::string { std::abort(); }, kLimit).fate, "aborts");
   EXPECT_EQ(doneApart([]() -> std::string { std::_Exit(0); }, kLimit).fate, "exits");
   const auto crashing = []() -> std::string {
@@ -38,7 +38,7 @@ TEST(Apart, WorkThatTakesTooLongIsEnded) {
   EXPECT_EQ(doneApart(endless, kLimit).fate, "over 1 s");
 }
 
-TEST(Apart, WhatWorkPrintsIsHeard) {
+TEST(Apart, WhatWorkPrintsIsReturned) {
   const Outcome outcome = doneApart(
       []() -> std::string {
         std::cerr << "first" << std::endl;

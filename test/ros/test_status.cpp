@@ -131,7 +131,7 @@ TEST(Diagnostics, WarnOfWhatCostsAccuracyOrTime) {
   Health health;
   health.status.most_parts = 12;
   EXPECT_EQ(described(health).level, DiagnosticStatus::WARN);
-  EXPECT_EQ(described(health).message, "steps are taken in up to 12 parts");
+  EXPECT_EQ(described(health).message, "steps are taken in up to 12 substeps");
   health.new_overruns = 3;
   health.holds_tolerance = false;
   const std::string all = described(health).message;

@@ -126,7 +126,7 @@ TEST(InitialState, ReadsATwistInTheAxesItNames) {
   EXPECT_LE((in_world.w_W - Vector3d(-4, 3, 0)).norm(), 8e-15);
 }
 
-TEST(InitialState, RestsAtTheOriginUnlessToldOtherwise) {
+TEST(InitialState, RestsAtTheOriginUnlessStatedOtherwise) {
   const Scene scene = sceneOf("    shape: {box: [0.1, 0.4, 0.9]}\n    mass: 10\n");
   const World world = buildWorld(scene);
   const State state = initialState(scene, world);

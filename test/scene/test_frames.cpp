@@ -134,7 +134,7 @@ TEST_F(Frames, ResolvesAWrenchInEveryFrameToTheSameForceAndTorque) {
   check("stand/hook", kWorld, scene_.bodies[2].orientation);
 }
 
-TEST_F(Frames, TakesThePointInTheBodyUnlessToldOtherwise) {
+TEST_F(Frames, TakesThePointInTheBodyUnlessStatedOtherwise) {
   WrenchDef def = wrenchIn("map");
   def.point_frame.clear();
   const PointWrench wrench = resolveWrench(def, world_.bodies, frames_).wrench;

@@ -61,7 +61,7 @@ void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper&
     diagnostic.mergeSummaryf(DiagnosticStatus::WARN, "%llu steps began late",
                              static_cast<unsigned long long>(health.new_overruns));
   if (status.most_parts > 1)
-    diagnostic.mergeSummaryf(DiagnosticStatus::WARN, "steps are taken in up to %u parts",
+    diagnostic.mergeSummaryf(DiagnosticStatus::WARN, "steps are taken in up to %u substeps",
                              status.most_parts);
   if (!health.holds_tolerance)
     diagnostic.mergeSummary(DiagnosticStatus::WARN, "the scene's tolerance is not held");
@@ -76,7 +76,7 @@ void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper&
   diagnostic.add("wrenches that act or are to come", status.active_wrenches);
   diagnostic.add("estimated attitude error [rad]", status.attitude_error);
   diagnostic.add("estimated position error [m]", status.position_error);
-  diagnostic.add("most parts of a step", status.most_parts);
+  diagnostic.add("most substeps of a step", status.most_parts);
   diagnostic.add("energy [J]", status.mechanical_energy);
   diagnostic.add("energy balance [J]", status.energy_balance);
   diagnostic.add("momentum balance [kg m/s]", norm(status.momentum_balance));

@@ -138,7 +138,7 @@ TEST_F(Fleet, FollowerStartsOverWithTheClock) {
   expectOdometryOfTheCore();
 }
 
-TEST_F(Fleet, FollowerWithoutAStartTimeBeginsWhereItHearsTheClock) {
+TEST_F(Fleet, FollowerWithoutAStartTimeBeginsWhereItReceivesTheClock) {
   std::vector<Input> inputs;
   const boost::function<void(const Input&)> hear_input = [&](const Input& m) {
     inputs.push_back(m);

@@ -45,7 +45,7 @@ class MonitorTopics : public Doors {
 
 }  // namespace
 
-TEST_F(MonitorTopics, StatusIsToldWhilePausedToo) {
+TEST_F(MonitorTopics, StatusIsPublishedWhilePausedToo) {
   const ros::Time reached = driver.step(10);
   EXPECT_TRUE(NodeDriver::waitFor([&] { return status.header.stamp == reached; }));
   EXPECT_EQ(status.header.frame_id, "world");
@@ -99,7 +99,7 @@ TEST_F(MonitorTopics, DivergenceIsAnErrorThatNamesWhatWhereAndWhen) {
   EXPECT_TRUE(waitForLevel("pad", DiagnosticStatus::OK));
 }
 
-TEST_F(MonitorTopics, DivergenceIsToldBeforeTheNodeEnds) {
+TEST_F(MonitorTopics, DivergenceIsReportedBeforeTheNodeEnds) {
   ASSERT_TRUE(waitForLevel("pad", DiagnosticStatus::OK));
   AppliedWrench message = generalMessage();
   message.body = "rocket";

@@ -50,7 +50,7 @@ Step::Request steps(std::uint32_t count) {
   return request;
 }
 
-/// Hears what the node tells, as rosbag record does.
+/// Receives what the node publishes, as rosbag record does.
 class Replay : public ::testing::Test {
  protected:
   Replay() {

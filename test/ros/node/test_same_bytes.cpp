@@ -35,7 +35,7 @@ class SameBytes : public ::testing::TestWithParam<Pace> {
  protected:
   SameBytes() : node(std::string("/") + GetParam().bodies + "/" + GetParam().name + "/") {
     const boost::function<void(const BodyStates&)> hear = [this](const BodyStates& message) {
-      told.push_back(message);
+      received.push_back(message);
     };
     subscriber = nh.subscribe<BodyStates>(node + "states", 100000, hear);
     EXPECT_TRUE(ros::service::waitForService(node + "step", 20000));
@@ -43,7 +43,7 @@ class SameBytes : public ::testing::TestWithParam<Pace> {
     origin.start = step(0);
     EXPECT_TRUE(NodeDriver::waitFor([this] {
       const ros::Time stamp = step(1);
-      return NodeDriver::waitFor([&] { return !told.empty() && told.back().header.stamp == stamp; },
+      return NodeDriver::waitFor([&] { return !received.empty() && received.back().header.stamp == stamp; },
                                  0.05);
     }));
   }
@@ -61,26 +61,26 @@ class SameBytes : public ::testing::TestWithParam<Pace> {
     EXPECT_TRUE(ros::service::call(node + "pause", call));
   }
 
-  bool isToldTo(double t) const {
-    return !told.empty() && told.back().header.stamp >= origin.stamp(t);
+  bool hasReached(double t) const {
+    return !received.empty() && received.back().header.stamp >= origin.stamp(t);
   }
 
   const std::string node;
   ros::NodeHandle nh;
   ros::Subscriber subscriber;
-  std::vector<BodyStates> told;
+  std::vector<BodyStates> received;
   TimeOrigin origin;
 };
 
 }  // namespace
 
-TEST_P(SameBytes, AreToldAtEveryPace) {
+TEST_P(SameBytes, ArePublishedAtEveryPace) {
   if (GetParam().name == std::string("stepped")) {
     for (std::uint32_t steps : {1U, 99U, 7U, 150U, 200U}) step(steps);
-    ASSERT_TRUE(NodeDriver::waitFor([this] { return isToldTo(kSpan); }));
+    ASSERT_TRUE(NodeDriver::waitFor([this] { return hasReached(kSpan); }));
   } else {
     pause(false);
-    ASSERT_TRUE(NodeDriver::waitFor([this] { return isToldTo(kSpan) && told.size() > kFewest; }));
+    ASSERT_TRUE(NodeDriver::waitFor([this] { return hasReached(kSpan) && received.size() > kFewest; }));
     pause(true);
   }
 
@@ -90,7 +90,7 @@ TEST_P(SameBytes, AreToldAtEveryPace) {
   const World world = buildWorld(scene);
   Simulation run(world, initialState(scene, world));
   std::size_t compared = 0;
-  for (const BodyStates& message : told) {
+  for (const BodyStates& message : received) {
     const ros::Time stamp = message.header.stamp;
     if (stamp > origin.stamp(kSpan) && compared >= kFewest) break;
     while (origin.stamp(run.time()) < stamp) run.step();
