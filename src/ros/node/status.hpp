@@ -32,8 +32,8 @@ bool isWithinTolerance(const ErrorEstimate& error, double time, const SolverOpti
 /// attitude error was estimated that exceeds it.
 bool holdsTolerance(const Simulation& simulation);
 
-/// ERROR once the simulation has stopped; WARN for new overruns, for steps taken in substeps, and for
-/// a tolerance that is not held; and the figures.
+/// ERROR once the simulation has stopped; WARN for new overruns, for steps taken in substeps, and
+/// for a tolerance that is not held; and the figures.
 void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper& diagnostic);
 
 }  // namespace rigid_body_sim

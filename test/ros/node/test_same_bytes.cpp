@@ -43,8 +43,8 @@ class SameBytes : public ::testing::TestWithParam<Pace> {
     origin.start = step(0);
     EXPECT_TRUE(NodeDriver::waitFor([this] {
       const ros::Time stamp = step(1);
-      return NodeDriver::waitFor([&] { return !received.empty() && received.back().header.stamp == stamp; },
-                                 0.05);
+      return NodeDriver::waitFor(
+          [&] { return !received.empty() && received.back().header.stamp == stamp; }, 0.05);
     }));
   }
 
@@ -80,7 +80,8 @@ TEST_P(SameBytes, ArePublishedAtEveryPace) {
     ASSERT_TRUE(NodeDriver::waitFor([this] { return hasReached(kSpan); }));
   } else {
     pause(false);
-    ASSERT_TRUE(NodeDriver::waitFor([this] { return hasReached(kSpan) && received.size() > kFewest; }));
+    ASSERT_TRUE(
+        NodeDriver::waitFor([this] { return hasReached(kSpan) && received.size() > kFewest; }));
     pause(true);
   }
 
