@@ -15,7 +15,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-
 BodyDef boxWith(const std::string& more) { return parseScene(boxScene(more), "s.yaml").bodies[0]; }
 
 std::vector<std::string> noticesOf(const std::string& more) {
@@ -146,9 +145,10 @@ TEST(SceneNames, ComeWithTheOneThatMayBeMeant) {
 TEST(SceneNumbers, AreQuestionedWhereTheyLookLikeDegreesOrLikeWFirst) {
   EXPECT_THAT(noticesOf("    twist: {frame: body, angular: [0, 0, 360]}\n"),
               ElementsAre(kAtBox + "twist.angular is 57.3 turns/s; its unit is rad/s"));
-  EXPECT_THAT(noticesOf("    orientation: [1, 0, 0, 0]\n"),
-              ElementsAre(kAtBox + "orientation turns the z axis by 180 degrees; quaternions are [x, "
-                                "y, z, w]"));
+  EXPECT_THAT(
+      noticesOf("    orientation: [1, 0, 0, 0]\n"),
+      ElementsAre(kAtBox + "orientation turns the z axis by 180 degrees; quaternions are [x, "
+                           "y, z, w]"));
   EXPECT_THAT(noticesOf("    orientation: [0.7071067811865476, 0, 0, 0.7071067811865476]\n"),
               IsEmpty());
   EXPECT_THAT(noticesOf("    twist: {frame: body, angular: [0, 0, 200]}\n"), IsEmpty());

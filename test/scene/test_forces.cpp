@@ -76,7 +76,8 @@ TEST(SceneSpring, EndsInTheWorldOnAFixedBody) {
 }
 
 TEST(SceneSpring, KeepsItsRules) {
-  EXPECT_EQ(forceError(kSpring + "stiffness: -1}"), kAtForce + "stiffness must be >= 0 N/m, got -1");
+  EXPECT_EQ(forceError(kSpring + "stiffness: -1}"),
+            kAtForce + "stiffness must be >= 0 N/m, got -1");
   EXPECT_EQ(forceError(kSpring + "stiffness: 1, damping: -2}"),
             kAtForce + "damping must be >= 0 N s/m, got -2");
   EXPECT_EQ(forceError(kSpring + "stiffness: 1, rest_length: -2}"),
@@ -106,7 +107,8 @@ TEST(SceneSpring, JoinsTwoThings) {
       " must be {body: name, point: [x, y, z]} or {world: [x, y, z]}, got a mapping";
   EXPECT_EQ(endsError("{body: box, world: [0, 0, 1]}", "{body: ball}"), kAtForce + "from" + rule);
   EXPECT_EQ(endsError("{body: box}", "{}"), kAtForce + "to" + rule);
-  EXPECT_EQ(endsError("{body: box}", "{world: [0, 0, 1], point: [0, 0, 1]}"), kAtForce + "to" + rule);
+  EXPECT_EQ(endsError("{body: box}", "{world: [0, 0, 1], point: [0, 0, 1]}"),
+            kAtForce + "to" + rule);
   EXPECT_EQ(endsError("{body: box}", "{world: [0, 0]}"),
             kAtForce + "to.world must be a list of 3 numbers [m], got [0, 0]");
 }
@@ -127,7 +129,8 @@ TEST(SceneCentralGravity, HasAGradientWhereAsked) {
 }
 
 TEST(SceneCentralGravity, KeepsItsRules) {
-  EXPECT_EQ(forceError("{type: central_gravity, mu: 0}"), kAtForce + "mu must be > 0 m^3/s^2, got 0");
+  EXPECT_EQ(forceError("{type: central_gravity, mu: 0}"),
+            kAtForce + "mu must be > 0 m^3/s^2, got 0");
   EXPECT_EQ(forceError("{type: central_gravity}"), kAtForce + "missing key 'mu'");
   EXPECT_EQ(forceError("{type: central_gravity, mu: 1, gradient: 1}"),
             kAtForce + "gradient must be true or false, got 1");

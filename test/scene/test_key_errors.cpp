@@ -9,7 +9,6 @@ namespace {
 /// The scene of one body in which that body has just these lines, from line 3.
 std::string bodyScene(const std::string& lines) { return "time_step: 0.01\nbodies:\n" + lines; }
 
-
 }  // namespace
 
 TEST(SceneKeys, MustBeKnown) {
@@ -26,8 +25,9 @@ TEST(SceneKeys, MustBeKnown) {
             kAtBox + "unknown key 'twist.fram' (known: frame, linear, angular)");
   EXPECT_EQ(boxError("    points: {a: {pos: [0, 0, 0]}}\n"),
             kAtBox + "unknown key 'points.a.pos' (known: position, orientation)");
-  EXPECT_EQ(boxError("    visual: {colour: 1}\n"),
-            kAtBox + "unknown key 'visual.colour' (known: mesh, scale, position, orientation, color)");
+  EXPECT_EQ(
+      boxError("    visual: {colour: 1}\n"),
+      kAtBox + "unknown key 'visual.colour' (known: mesh, scale, position, orientation, color)");
   EXPECT_EQ(boxError("wrenches:\n  - {bodi: box}\n"),
             "s.yaml:7: wrenches[0]: unknown key 'bodi' (known: body, point, point_frame, frame, "
             "force, torque, start, duration)");

@@ -136,7 +136,8 @@ TEST_F(MeshOfScene, SaysWhatIsWrongWithAReference) {
   const std::string rule = " must be package://<package>/<path> or a path, got ";
   for (const std::string reference : {"package://", "package://bricks", "package://bricks/",
                                       "package:///brick.stl", "http://bricks/brick.stl"})
-    EXPECT_EQ(error("{file: '" + reference + "'}"), kAtMesh + ".file" + rule + "\"" + reference + "\"");
+    EXPECT_EQ(error("{file: '" + reference + "'}"),
+              kAtMesh + ".file" + rule + "\"" + reference + "\"");
   EXPECT_EQ(error("{file: 'package://unknown/brick.stl'}"),
             kAtMesh +
                 ".file must name a ROS package that is on ROS_PACKAGE_PATH, got "
@@ -262,7 +263,8 @@ TEST_F(MeshOfScene, SaysWhatIsWrongWithAFile) {
   EXPECT_EQ(fileError("brick.txt", whole), "mesh file must end in .stl, .obj or .dae, got '.txt'");
 
   std::filesystem::create_directory(files_.path("scenes/directory.stl"));
-  EXPECT_EQ(error("{file: directory.stl}"), kAtMesh + ".file: " + files_.path("scenes/directory.stl") +
+  EXPECT_EQ(error("{file: directory.stl}"), kAtMesh +
+                                                ".file: " + files_.path("scenes/directory.stl") +
                                                 ": mesh file must be a regular file");
 }
 

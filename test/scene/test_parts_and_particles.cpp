@@ -83,7 +83,8 @@ TEST(SceneParts, KeepTheirRules) {
                                 "parts[0] must be a mapping, got 7 (keys: shape, mass, density, "
                                 "inertia, center_of_mass, position, orientation)");
   EXPECT_EQ(partError("{mass: 1}"), kAtParts + "parts[0]: missing key 'shape' or 'inertia'");
-  EXPECT_EQ(partError("{inertia: {ixx: 1, iyy: 1, izz: 1}}"), kAtParts + "parts[0]: missing key 'mass'");
+  EXPECT_EQ(partError("{inertia: {ixx: 1, iyy: 1, izz: 1}}"),
+            kAtParts + "parts[0]: missing key 'mass'");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1, center_of_mass: [0, 0, 0]}"),
             kAtParts +
                 "parts[0].center_of_mass cannot stand beside shape, which gives it, got "
@@ -96,7 +97,8 @@ TEST(SceneParts, KeepTheirRules) {
             kAtParts + "parts[0].mass must be > 0 kg, got 0");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, density: -1}"),
             kAtParts + "parts[0].density must be > 0 kg/m^3, got -1");
-  EXPECT_EQ(partError("{shape: {}, mass: 1}"), kAtParts + "parts[0].shape must name one shape, got 0");
+  EXPECT_EQ(partError("{shape: {}, mass: 1}"),
+            kAtParts + "parts[0].shape must name one shape, got 0");
   EXPECT_EQ(partError("{shape: {box: [1, 1]}, mass: 1}"),
             kAtParts + "parts[0].shape.box must be a list of 3 numbers [m], got [1, 1]");
   EXPECT_EQ(partError("{shape: {sphere: {radius: 1}}, mass: 1}, {shape: {}, at: 1}"),

@@ -87,7 +87,8 @@ TEST(SceneMass, MustFitIntoADouble) {
 TEST(SceneLists, HaveTheirLength) {
   EXPECT_EQ(boxError("    position: [1, 2]\n"),
             kAtBox + "position must be a list of 3 numbers [m], got [1, 2]");
-  EXPECT_EQ(boxError("    position: 1\n"), kAtBox + "position must be a list of 3 numbers [m], got 1");
+  EXPECT_EQ(boxError("    position: 1\n"),
+            kAtBox + "position must be a list of 3 numbers [m], got 1");
   EXPECT_EQ(errorOf("gravity:\n" + boxScene()),
             "s.yaml:1: gravity must be a list of 3 numbers [m/s^2], got nothing");
   EXPECT_EQ(boxError("    orientation: [0, 0, 1]\n"),
@@ -125,7 +126,8 @@ TEST(SceneValues, KeepTheirOtherRules) {
             "[0, 0, 0] rad/s");
   EXPECT_EQ(boxError("    visual: {color: [1, 0, 0, 1.5]}\n"),
             kAtBox + "visual.color must be [r, g, b, a], each 0 to 1, got [1, 0, 0, 1.5]");
-  EXPECT_EQ(boxError("    visual: {mesh: \"\"}\n"), kAtBox + "visual.mesh must be a text, got \"\"");
+  EXPECT_EQ(boxError("    visual: {mesh: \"\"}\n"),
+            kAtBox + "visual.mesh must be a text, got \"\"");
   EXPECT_EQ(boxError("    points: [a]\n"),
             kAtBox + "points must be a mapping of names to frames, got [a]");
 }
