@@ -31,6 +31,7 @@ rigid_body_sim_rostest(process)
 rigid_body_sim_rostest(replay rigid_body_sim_bag)
 rigid_body_sim_rostest(reset)
 rigid_body_sim_rostest(same_bytes)
+rigid_body_sim_rostest(transport)
 # the viewers' side of the handles
 find_package(interactive_markers REQUIRED)
 foreach(name body_set rviz)

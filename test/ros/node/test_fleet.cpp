@@ -1,12 +1,17 @@
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
+#include <rosgraph_msgs/Clock.h>
+#include <rosgraph_msgs/Log.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <rigid_body_sim/AppliedWrench.h>
 #include <rigid_body_sim/ApplyWrench.h>
 #include <rigid_body_sim/Input.h>
 #include <rigid_body_sim/Step.h>
@@ -167,6 +172,38 @@ TEST_F(Fleet, FollowerWithoutAStartTimeBeginsWhereItReceivesTheClock) {
   // wrenches of nothing part the motion: it rounds elsewhere
   EXPECT_NEAR(heard.back().pose.pose.orientation.x, expected.pose.pose.orientation.x, 1e-12);
   EXPECT_NEAR(heard.back().pose.pose.position.y, expected.pose.pose.position.y, 1e-12);
+}
+
+TEST_F(Fleet, SaysThatTwoNodesPublishTheClock) {
+  const std::set<std::string> both{"/first/rigid_body_node", "/second/rigid_body_node"};
+  std::set<std::string> said, warned;
+  const boost::function<void(const rosgraph_msgs::Log&)> receive =
+      [&](const rosgraph_msgs::Log& message) {
+        said.insert(message.name);
+        if (message.msg.find("/clock is published by two nodes, ") == 0)
+          warned.insert(message.name);
+      };
+  const auto are_both_in = [&](const std::set<std::string>& names) {
+    return std::includes(names.begin(), names.end(), both.begin(), both.end());
+  };
+  const ros::Subscriber log = nh.subscribe<rosgraph_msgs::Log>("/rosout", 100, receive);
+  // the warning comes once: until what both nodes say arrives, they get messages to warn of
+  const ros::Publisher leader = nh.advertise<AppliedWrench>(kLeader + "wrench", 10);
+  const ros::Publisher follower = nh.advertise<AppliedWrench>(kFollower + "wrench", 10);
+  ASSERT_TRUE(NodeDriver::waitFor([&] {
+    leader.publish(AppliedWrench());
+    follower.publish(AppliedWrench());
+    return are_both_in(said);
+  }));
+  EXPECT_TRUE(warned.empty());
+
+  const ros::Publisher second = nh.advertise<rosgraph_msgs::Clock>("/clock", 10);
+  rosgraph_msgs::Clock same;  // as the leader's: nothing jumps
+  same.clock = clock;
+  EXPECT_TRUE(NodeDriver::waitFor([&] {
+    second.publish(same);
+    return are_both_in(warned);
+  }));
 }
 
 }  // namespace rigid_body_sim
