@@ -136,7 +136,7 @@ TEST(Diagnostics, WarnOfWhatCostsAccuracyOrTime) {
   health.holds_tolerance = false;
   const std::string all = described(health).message;
   EXPECT_NE(all.find("3 steps began late"), std::string::npos);
-  EXPECT_NE(all.find("up to 12 parts"), std::string::npos);
+  EXPECT_NE(all.find("up to 12 substeps"), std::string::npos);
   EXPECT_NE(all.find("the scene's tolerance is not held"), std::string::npos);
 }
 
