@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/wrench.hpp>
 
 namespace rigid_body_sim {
@@ -16,10 +17,11 @@ struct Stiffness {
 
 /// What an integrator must support to advance bodies under a law or a wrench; needs add up by |.
 enum Need : unsigned {
-  kCoupling = 1,  ///< wrenches that depend on place and attitude of any of the bodies
-  kDrag = 2,      ///< drag, which has a flow of its own (ForceLaw::kick)
-  kDamping = 4,   ///< other wrenches that depend on velocities
-  kLawStates = 8  ///< states of a law that change with time (ForceLaw::setRates)
+  kCoupling = 1,   ///< wrenches that depend on place and attitude of any of the bodies
+  kDrag = 2,       ///< drag, which has a flow of its own (ForceLaw::kick)
+  kDamping = 4,    ///< other wrenches that depend on velocities
+  kLawStates = 8,  ///< states of a law that change with time (ForceLaw::setRates)
+  kContact = 16    ///< many events, between which forces rise from zero by a power of time
 };
 
 /// A law of force between bodies, points and the world. It never changes: it adds the wrenches that
@@ -111,6 +113,14 @@ class ForceLaw {
 
   /// [s] Up to when a law that does not act at time t cannot begin to, whatever acts on its bodies.
   virtual double quietUntil(double t, const Bodies& /*at*/) const { return t; }
+
+  /// Adds what touches now.
+  virtual void addContacts(const Bodies& /*at*/, std::vector<ContactPoint>& /*contacts*/) const {}
+
+  /// Adds the touches and releases that changed its own states from `before`, their instants left
+  /// out.
+  virtual void addContactEvents(const Bodies& /*at*/, const double* /*before*/,
+                                std::vector<ContactEvent>& /*events*/) const {}
 
  protected:
   ForceLaw() = default;

@@ -89,6 +89,9 @@ class Simulation {
   /// Those that act on a body at a time t [s] between now and the next step.
   std::vector<PointWrench> activeWrenches(std::size_t body, double t) const;
 
+  /// Touches and releases within the last step, in order; of the start, before the first step.
+  const std::vector<ContactEvent>& contactEvents() const;
+
   /// Sum of the wrenches applied to a body now, without gravity and laws.
   Wrench appliedWrench(std::size_t body) const;
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <rigid_body_sim/math/types.hpp>
+
+namespace rigid_body_sim {
+
+struct World;
+struct State;
+
+/// A feature of a body that touches another now.
+struct ContactPoint {
+  std::size_t body = 0;                          ///< index, the body acted on
+  std::size_t other = 0;                         ///< index, or kWorld: −force acts on it
+  Vector3d position_W = Vector3d::Zero();        ///< [m] where the force acts
+  Vector3d normal_force_W = Vector3d::Zero();    ///< [N] on `body`
+  Vector3d friction_force_W = Vector3d::Zero();  ///< [N] on `body`
+  double penetration = 0;                        ///< [m] the greatest, of a rim
+  bool slips = false;
+};
+
+/// A feature touched, or let go.
+struct ContactEvent {
+  double t = 0;                            ///< [s] since the start of the simulation
+  std::size_t body = 0;                    ///< index
+  std::size_t other = 0;                   ///< index, or kWorld
+  bool touch = true;                       ///< else: release
+  Vector3d position_W = Vector3d::Zero();  ///< [m]
+};
+
+/// Everything that touches in a state, law by law in the order of World::laws.
+std::vector<ContactPoint> contactsOf(const World& world, const State& state);
+
+}  // namespace rigid_body_sim
