@@ -24,6 +24,14 @@ enum Need : unsigned {
   kContact = 16    ///< many events, between which forces rise from zero by a power of time
 };
 
+/// What is known of the motion of a body that no law disturbs, up to a time.
+struct MotionBound {
+  Vector3d a_W = Vector3d::Zero();  ///< [m/s²] its acceleration is within
+  double a_off = 0;                 ///< [m/s²] of that
+  double torque = 0;                ///< [N m] no torque on it exceeds this
+  double until = 0;                 ///< [s]
+};
+
 /// A law of force between bodies, points and the world. It never changes: it adds the wrenches that
 /// follow from where the bodies are, how they move, and its own states, which belong to State.
 ///
@@ -113,6 +121,25 @@ class ForceLaw {
 
   /// [s] Up to when a law that does not act at time t cannot begin to, whatever acts on its bodies.
   virtual double quietUntil(double t, const Bodies& /*at*/) const { return t; }
+
+  /// [s] The same where the motion of its bodies is bounded, index by index of `at`: no later than
+  /// the bounds hold.
+  virtual double quietInFlight(double t, const Bodies& at,
+                               const std::vector<MotionBound>& /*bounds*/) const {
+    return quietUntil(t, at);
+  }
+
+  /// Whether its own states start anew where the state of one of its bodies is set from outside;
+  /// they are switched then, and at the start of a run, until no guard is below zero.
+  virtual bool startsAnew() const { return false; }
+
+  /// Whether its wrenches are continuous through every switch of its modes, so that an instant that
+  /// is located to 1e-8 of a step costs no accuracy.
+  virtual bool switchesSmoothly() const { return false; }
+
+  /// [s] The longest step from here on that does not hide from the integrator's estimate how the
+  /// law's wrenches begin; precision: of the step, relative.
+  virtual double longestStep(const Bodies& at, double precision) const;
 
   /// Adds what touches now.
   virtual void addContacts(const Bodies& /*at*/, std::vector<ContactPoint>& /*contacts*/) const {}

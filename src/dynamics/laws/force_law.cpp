@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include <rigid_body_sim/dynamics/force_law.hpp>
 
@@ -8,6 +9,10 @@ void ForceLaw::setStart(double* own) const { std::fill_n(own, stateCount(), 0.0)
 
 void ForceLaw::setRates(const Bodies& /*at*/, double* rates) const {
   std::fill_n(rates, stateCount(), 0.0);
+}
+
+double ForceLaw::longestStep(const Bodies& /*at*/, double /*precision*/) const {
+  return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace rigid_body_sim

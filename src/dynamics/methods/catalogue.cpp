@@ -23,7 +23,7 @@ const std::vector<Method>& catalogue() {
       {"rk4",                 4, 4,  4, 0.4,  1.6, 0,                    kAll,      rk4Step},
       {"blanes_moan6",        6, 0, 14, 1.6, 56,   kGeometric,           kCoupling, blanesMoan6Step},
       {"kahan_li8",           8, 8, 17, 0.8, 15,   kGeometric,           kCoupling, kahanLi8Step},
-      {"dop853",              8, 8, 12, 1.6,  7.7, kEstimatesError,                  kAll,      dop853Step},
+      {"dop853",              8, 8, 12, 1.6,  7.7, kEstimatesError,           kAll | kContact,  dop853Step},
       {"taylor",             16, 16, 1, kAnyTurn, 2.1, kSolves | kKeepsFreeL, 0,    taylorStep},
   };
   // clang-format on
@@ -44,6 +44,7 @@ void requireSupport(const Method& method, unsigned needs, const std::string& bod
   if (refused & kDrag) what = "drag";
   if (refused & kDamping) what = "damping";
   if (refused & kLawStates) what = "laws with states of their own";
+  if (refused & kContact) what = "contact";
   throw std::invalid_argument("integrator must be auto or support " + what + ", as body '" + body +
                               "' needs (" + methodsThatSupport(needs) + "), got '" + method.name +
                               "'");

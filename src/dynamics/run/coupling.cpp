@@ -63,6 +63,25 @@ class Linker {
   std::vector<std::size_t> parent_;         // index by index
 };
 
+/// Adds the contacts between the group's bodies that do not act.
+void addWaiting(const World& world, const LawTable& laws, const std::vector<double>& law_states,
+                CoupledBodies& group) {
+  const auto isHere = [&group](std::size_t body) {
+    return std::binary_search(group.members.begin(), group.members.end(), body);
+  };
+  for (std::size_t body : group.members) {
+    for (std::size_t index : laws.of(body)) {
+      const ForceLaw& law = *world.laws[index];
+      if (!(law.needs() & kContact) || law.acts(law_states.data() + laws.firstState(index)))
+        continue;
+      const std::vector<std::size_t> members = law.members();
+      if (members.front() == body && std::all_of(members.begin(), members.end(), isHere))
+        group.waiting.push_back(index);
+    }
+  }
+  std::sort(group.waiting.begin(), group.waiting.end());
+}
+
 }  // namespace
 
 std::vector<std::size_t> movingBodies(const World& world) {
@@ -78,6 +97,7 @@ LawTable::LawTable(const World& world) : of_body_(world.bodies.size()) {
     first_state_.push_back(state_count_);
     state_count_ += law.stateCount();
     if (law.guardCount() > 0) guarded_.push_back(i);
+    if (law.needs() & kContact) contacts_.push_back(i);
     for (std::size_t body : law.members()) of_body_[body].push_back(i);
   }
 }
@@ -112,10 +132,12 @@ std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& law
   std::map<std::size_t, std::size_t> group_of;
   for (std::vector<std::size_t>& members : linker.groups()) {
     for (std::size_t body : members) group_of[body] = groups.size();
-    groups.push_back({std::move(members), {}});
+    groups.push_back({std::move(members), {}, {}});
   }
   for (std::size_t law : acting)
     groups[group_of[world.laws[law]->members().front()]].laws.push_back(law);
+  if (!laws.contacts().empty())
+    for (CoupledBodies& group : groups) addWaiting(world, laws, law_states, group);
   return groups;
 }
 
@@ -125,6 +147,8 @@ unsigned needsOf(const World& world, const CoupledBodies& group,
   for (std::size_t law : group.laws) needs |= world.laws[law]->needs();
   for (std::size_t body : group.members)
     if (!schedules[body].allHeld()) needs |= kCoupling;
+  if (needs != 0)
+    for (std::size_t law : group.waiting) needs |= world.laws[law]->needs();
   return needs;
 }
 

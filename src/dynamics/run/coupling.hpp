@@ -12,9 +12,10 @@ namespace rigid_body_sim {
 struct CoupledBodies {
   std::vector<std::size_t> members;  ///< indices in the world, ascending
   std::vector<std::size_t> laws;     ///< indices in World::laws, ascending
+  std::vector<std::size_t> waiting;  ///< contacts between them that do not act, likewise
 
   bool operator==(const CoupledBodies& other) const {
-    return members == other.members && laws == other.laws;
+    return members == other.members && laws == other.laws && waiting == other.waiting;
   }
 };
 
@@ -36,6 +37,9 @@ class LawTable {
   /// Laws with guards that may begin to act while they do not.
   const std::vector<std::size_t>& guarded() const { return guarded_; }
 
+  /// Those of them that are contacts.
+  const std::vector<std::size_t>& contacts() const { return contacts_; }
+
   /// As the laws start.
   std::vector<double> start(const World& world) const;
 
@@ -44,6 +48,7 @@ class LawTable {
   std::size_t state_count_ = 0;
   std::vector<std::vector<std::size_t>> of_body_;
   std::vector<std::size_t> guarded_;
+  std::vector<std::size_t> contacts_;
 };
 
 /// Groups those bodies that the laws and wrenches which act now link with one another. bodies: all
@@ -53,7 +58,8 @@ std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& law
                                          const std::vector<WrenchSchedule>& schedules,
                                          const std::vector<std::size_t>& bodies);
 
-/// What an integrator must support to advance the group (Need).
+/// What an integrator must support to advance the group (Need); that of contacts that do not act
+/// counts where it has to be integrated anyway.
 unsigned needsOf(const World& world, const CoupledBodies& group,
                  const std::vector<WrenchSchedule>& schedules);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 namespace rigid_body_sim {
 namespace {
@@ -59,6 +61,7 @@ double EventSearch::suspected(const MotionPiece& piece, const SystemState& at_st
 
 double EventSearch::firstEvent(const MotionPiece& piece, const SystemState& at_start,
                                SystemState& at_end) {
+  found_ = false;
   double after = piece.end();
   if (!anyBelow(piece.system(), at_end)) {
     after = suspected(piece, at_start, at_end);
@@ -67,41 +70,88 @@ double EventSearch::firstEvent(const MotionPiece& piece, const SystemState& at_s
     if (!anyBelow(piece.system(), trial_)) return piece.end();
     at_end = trial_;
   }
-  // bisection by the sign of all guards: certain, whatever they do; some 50 shorter steps an event
-  double before = piece.start();
-  while (true) {
-    const double middle = before + 0.5 * (after - before);
-    if (!(middle > before && middle < after)) return after;
+  found_ = true;
+  scales_.resize(guards_.size());
+  std::transform(guards_.begin(), guards_.end(), scales_.begin(),
+                 [](double guard) { return guard < 0 ? -guard : 0; });
+  setGuards(piece.system(), at_start, guards_);
+  return locate(piece, piece.start(), after, at_end);
+}
+
+/// The least of the guards, each as a share of what it has at the end; above zero, of those that
+/// are below zero there.
+double EventSearch::lowest(const System& system, const SystemState& states) {
+  setGuards(system, states, guards_);
+  return lowestShare();
+}
+
+double EventSearch::lowestShare() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < guards_.size(); ++i) {
+    if (scales_[i] > 0) least = std::min(least, guards_[i] / scales_[i]);
+    if (guards_[i] < 0 && !(scales_[i] > 0)) least = std::min(least, -1.0);
+  }
+  return least;
+}
+
+/// Regula falsi (Illinois), each trial a shorter step; by halves where that gains too little. The
+/// sign of all guards decides, so that the bracket is certain whatever they do. guards_: at the
+/// start.
+double EventSearch::locate(const MotionPiece& piece, double before, double after,
+                           SystemState& at_end) {
+  const double precision = piece.system().event_precision * (piece.end() - piece.start());
+  double low = lowestShare(), high = -1, last_width = after - before;
+  int kept = 0;  // how often the same end stayed, and which
+  for (int trial = 1; after - before > precision; ++trial) {
+    const double width = after - before;
+    const bool slow = trial % 3 == 0 && width > 0.5 * last_width;
+    if (trial % 3 == 0) last_width = width;
+    // off the ends, so that both of them move
+    const double nudge = 0.5 * precision;
+    double middle = before + width * std::clamp(low / (low - high), 0.0, 1.0);
+    middle = std::clamp(middle, before + nudge, after - nudge);
+    if (slow || !(middle > before && middle < after)) middle = before + 0.5 * width;
+    if (!(middle > before && middle < after)) break;
     piece.at(middle, trial_);
-    if (anyBelow(piece.system(), trial_)) {
+    const double lowest_there = lowest(piece.system(), trial_);
+    if (lowest_there < 0) {
       after = middle;
+      high = lowest_there;
+      kept = std::min(kept, 0) - 1;
+      if (kept < -1) low *= 0.5;
       std::swap(at_end, trial_);
     } else {
       before = middle;
+      low = lowest_there;
+      kept = std::max(kept, 0) + 1;
+      if (kept > 1) high *= 0.5;
     }
   }
+  return after;
 }
 
-double switchModes(const System& system, SystemState& states) {
-  constexpr int kMaxSwitches = 100;
+double switchModes(const System& system, SystemState& states, std::vector<ContactEvent>& events) {
   double energy = 0;
-  std::vector<double> guards;
+  std::vector<double> guards, before;
   for (const System::StatefulLaw& stateful : system.stateful_laws) {
     const ForceLaw& law = *stateful.law;
     double* own = states.laws.data() + stateful.first;
     const ForceLaw::Bodies at{system.bodies, states.bodies, own};
     guards.resize(law.guardCount());
-    for (int switches = 0; !guards.empty(); ++switches) {
+    before.assign(own, own + law.stateCount());
+    const std::size_t most = 100 + 4 * guards.size();
+    for (std::size_t switches = 0; !guards.empty(); ++switches) {
       law.setGuards(at, guards.data());
       const auto below =
           std::find_if(guards.begin(), guards.end(), [](double guard) { return guard < 0; });
       if (below == guards.end()) break;
-      if (switches == kMaxSwitches)
+      if (switches == most)
         throw StepTooLong(std::string("the modes of a ") + law.name() + " switch without end");
       energy -= potentialOf(law, at);
       law.switchMode(static_cast<std::size_t>(below - guards.begin()), at, own);
       energy += potentialOf(law, at);
     }
+    law.addContactEvents(at, before.data(), events);
   }
   return energy;
 }

@@ -13,22 +13,32 @@ class EventSearch {
   static void setGuards(const System& system, const SystemState& states,
                         std::vector<double>& guards);
 
-  /// The instant at which the first guard has just fallen below zero, located to rounding; the end
-  /// of the piece where none does. at_end: the states there; they become those at the instant. What
-  /// falls below zero and rises again within a quarter of the piece may be missed.
+  /// The instant at which the first guard has just fallen below zero, located to the system's
+  /// precision; the end of the piece where none does. at_end: the states there; they become those
+  /// at the instant. What falls below zero and rises again within a quarter of the piece may be
+  /// missed.
   double firstEvent(const MotionPiece& piece, const SystemState& at_start, SystemState& at_end);
 
+  /// Whether the last firstEvent found one.
+  bool found() const { return found_; }
+
  private:
+  double locate(const MotionPiece& piece, double before, double after, SystemState& at_end);
+  double lowest(const System& system, const SystemState& states);
+  double lowestShare() const;
   bool anyBelow(const System& system, const SystemState& states);
   double suspected(const MotionPiece& piece, const SystemState& at_start,
                    const SystemState& at_end);
 
+  bool found_ = false;
   std::vector<double> guards_;
+  std::vector<double> scales_;  // of the guards that are below zero at the end; else 0
   SystemState trial_;
 };
 
 /// Switches the mode of each law a guard of which is below zero. Returns by how much potential
-/// energies have risen [J]. Throws StepTooLong where modes switch without end.
-double switchModes(const System& system, SystemState& states);
+/// energies have risen [J], and adds touches and releases of contacts to `events`, at no time yet.
+/// Throws StepTooLong where modes switch without end.
+double switchModes(const System& system, SystemState& states, std::vector<ContactEvent>& events);
 
 }  // namespace rigid_body_sim

@@ -5,6 +5,19 @@
 #include <utility>
 
 namespace rigid_body_sim {
+namespace {
+
+/// 1e-8 of a step where no force jumps at an event; else to rounding.
+double eventPrecision(const System& system) {
+  constexpr double kSmooth = 1e-8;
+  const auto isSmooth = [](const System::StatefulLaw& stateful) {
+    return stateful.law->guardCount() == 0 || stateful.law->switchesSmoothly();
+  };
+  return std::all_of(system.stateful_laws.begin(), system.stateful_laws.end(), isSmooth) ? kSmooth
+                                                                                         : 0;
+}
+
+}  // namespace
 
 Group::Group(const World& world, const LawTable& laws, const CoupledBodies& bodies,
              const MethodChoice& choice, double t, std::vector<BodyState> start,
@@ -14,18 +27,21 @@ Group::Group(const World& world, const LawTable& laws, const CoupledBodies& bodi
   if (world.solver.tolerance_stated) bound_ = tolerance;
   system_.g_W = world.g_W;
   for (std::size_t body : bodies_.members) system_.bodies.push_back(&world.bodies[body]);
-  addLaws(world, bodies, laws, law_states);
+  addLaws(world, bodies.laws, laws, law_states);
+  if (choice.method && !bodies.waiting.empty()) addLaws(world, bodies.waiting, laws, law_states);
+  if (system_.has_contact) system_.event_precision = eventPrecision(system_);
   if (choice.method) stepper_.emplace(choice, tolerance, system_);
   gatherWrenches(schedules);
 }
 
 /// Parts the laws by what they ask of an integrator.
-void Group::addLaws(const World& world, const CoupledBodies& bodies, const LawTable& table,
+void Group::addLaws(const World& world, const std::vector<std::size_t>& laws, const LawTable& table,
                     const std::vector<double>& law_states) {
-  for (std::size_t index : bodies.laws) {
+  for (std::size_t index : laws) {
     auto law = world.laws[index]->reindexed([this](std::size_t body) { return localIndex(body); });
     system_.law_states_change |= (law->needs() & kLawStates) != 0;
     system_.has_events |= law->guardCount() > 0;
+    system_.has_contact |= (law->needs() & kContact) != 0;
     if (law->stateCount() > 0) {
       const double* own = law_states.data() + table.firstState(index);
       const std::size_t first = present_.laws.size();
@@ -148,8 +164,10 @@ void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& 
     // up to the next event, or to the end
     const double next_event = nextEvent(schedules);
     const double t_next = std::min(t_end, next_event);
-    if (t_next > t && stepper_)
-      switched_ |= stepper_->advance(system_, t, t_next - t, next_, meter);
+    if (t_next > t && stepper_ && stepper_->advance(system_, t, t_next - t, next_, meter)) {
+      switched_ = true;
+      if (mayStop()) return;
+    }
     if (t_next > t && !stepper_) solve(t, t_next, next_event, meter);
     t = t_next;
 

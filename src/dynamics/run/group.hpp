@@ -51,6 +51,25 @@ class Group {
 
   void fallBackToErrorControl();
 
+  /// Whether an advance() may stop before its end, at the instant at which a contact begins or
+  /// ceases to act: groups are to be formed anew there.
+  bool mayStop() const { return system_.has_contact; }
+
+  /// [s] Where the last advance() to t_end has led to.
+  double advancedTo(double t_end) const {
+    return switched_ && mayStop() ? stepper_->stoppedAt() : t_end;
+  }
+
+  /// Whether a law belongs to it, acting or not; an index of the world.
+  bool follows(std::size_t law) const;
+
+  /// Moves the touches and releases since the last call, by the indices of the world, to the end of
+  /// a list.
+  void moveContactEvents(std::vector<ContactEvent>& events);
+
+  /// What is known of the motion of its only body while it is solved; else nothing.
+  std::optional<MotionBound> motionBound(const std::vector<WrenchSchedule>& schedules) const;
+
   /// Takes over at time t, the present, what the schedules say from there on.
   void restart(double t, const std::vector<WrenchSchedule>& schedules);
 
@@ -79,7 +98,7 @@ class Group {
   void rollBack(const std::vector<WrenchSchedule>& schedules);
 
  private:
-  void addLaws(const World& world, const CoupledBodies& bodies, const LawTable& table,
+  void addLaws(const World& world, const std::vector<std::size_t>& laws, const LawTable& table,
                const std::vector<double>& law_states);
   std::size_t localIndex(std::size_t body) const;
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);

@@ -26,15 +26,29 @@ class LawWatch {
   /// State of a body at a time [s].
   using Motion = std::function<BodyState(std::size_t body, double t)>;
 
-  /// The first instant in (t, t_end] at which a guard has just fallen below zero, located to
-  /// rounding; nothing where none does. What falls below zero and rises again within a quarter of
-  /// that time may be missed, unless the law's quietUntil excludes it.
-  std::optional<double> firstEvent(double t, double t_end, const double* own, const Motion& motion);
+  /// What bounds the motion of a body from now on; nothing where that is not known.
+  using Bound = std::function<std::optional<MotionBound>(std::size_t body)>;
 
-  /// Switches the modes at an event; returns whether the law acts now.
-  bool switchModes(double t, double* own, const Motion& motion) const;
+  /// The first instant in (t, t_end] at which a guard has just fallen below zero, located to
+  /// rounding; nothing where none does. Where the motion is bounded (ForceLaw::quietInFlight), none
+  /// is missed, and it may be t itself. Else what falls below zero and rises again within a quarter
+  /// of that time may be missed, unless the law's quietUntil excludes it.
+  std::optional<double> firstEvent(double t, double t_end, const double* own, const Motion& motion,
+                                   const Bound& bound);
+
+  /// Switches the modes at an event, and adds touches and releases of contacts to `events`.
+  void switchModes(double t, double* own, const Motion& motion,
+                   std::vector<ContactEvent>& events) const;
 
  private:
+  bool gatherBounds(const Bound& bound);
+  double boundedUntil() const;
+  std::optional<double> sampledEvent(double t, double t_end, const double* own,
+                                     const Motion& motion);
+  std::optional<double> certifiedEvent(double t, double t_end, const double* own,
+                                       const Motion& motion);
+  double firstBelowAfter(double before, double after, const double* own,
+                         const Motion& motion) const;
   std::vector<BodyState> statesAt(double t, const Motion& motion) const;
   bool isBelow(double t, const double* own, const Motion& motion) const;
 
@@ -44,6 +58,7 @@ class LawWatch {
   std::vector<const Body*> bodies_;              // index by index of members_
   std::shared_ptr<const ForceLaw> compact_law_;  // by these indices
   double quiet_until_ = 0;
+  std::vector<MotionBound> bounds_;  // index by index of members_
 };
 
 }  // namespace rigid_body_sim

@@ -28,6 +28,7 @@ MethodChoice MethodPlanner::atStart(const World& world, const LawTable& laws,
                                     bool scheduled, std::size_t trials) {
   const unsigned needs = needsOf(world, group, start.schedules);
   if (method_ || isSolved(group, needs)) return later(world, group, start.schedules);
+  if (needs & kContact) return later(world, group, start.schedules);
   const auto taken = taken_.find(group.members);
   if (taken != taken_.end()) return taken->second;
   const auto known = choices_[scheduled].find(group.members);

@@ -48,7 +48,7 @@ void Run::stepMetered(Meter&... meter) {
   step_.advanced.clear();
   step_.scheduled.clear();
   try {
-    if (next_link_ <= t_end || !watches_.empty()) advanceLinking(t_end, meter...);
+    if (next_link_ <= t_end || watch_from_ <= t_end) advanceLinking(t_end, meter...);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       if (t_end < known_until_[g] && sizeof...(Meter) == 0) continue;
       begin(g, t_end);
@@ -95,6 +95,8 @@ void Run::takeBack() {
   }
   for (std::size_t g = 0; g < groups_.size(); ++g)
     known_until_[g] = groups_[g].knownUntil(schedules_);
+  for (LawWatch& watch : watches_) watch.wakeUp();
+  if (!watches_.empty()) watch_from_ = kNotKnown;
 }
 
 /// The same where groups were linked or parted in the step.
@@ -156,7 +158,7 @@ State Run::state() const {
 }
 
 State Run::sample(double t) const {
-  if (next_link_ <= t || !watches_.empty()) return sampleLinking(t);
+  if (next_link_ <= t || watch_from_ <= t) return sampleLinking(t);
   State sampled;
   sampled.t = t;
   sampled.laws = lawStates();

@@ -48,6 +48,9 @@ class Run {
   int maxSubsteps() const;
   std::int64_t evaluations() const;
 
+  /// Of the last step, in order; of the start, before the first.
+  const std::vector<ContactEvent>& contactEvents() const;
+
   /// Puts a wrench into a slot now; see WrenchSchedule::put.
   void put(const std::string& slot, const PointWrench& wrench);
 
@@ -60,7 +63,8 @@ class Run {
   void reset(bool restart_time);
 
  private:
-  static constexpr double kNotKnown = -std::numeric_limits<double>::infinity();
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+  static constexpr double kNotKnown = -kNever;
 
   /// What a step has begun, and takes back where it fails.
   struct Step {
@@ -75,12 +79,27 @@ class Run {
   void addGroup(Group group);
   void removeGroups(const std::vector<std::size_t>& bodies);
   void findNextLink();
+  void watchLaws();
+  void findNextWatch();
+  void wakeWatches(const std::vector<std::size_t>& bodies);
+  void startContacts(const std::vector<std::size_t>& laws, const std::vector<BodyState>& bodies);
+  void restartContacts(std::size_t body);
+  bool isWatched(const LawWatch& watch) const;
+  struct WatchedEvent {
+    LawWatch* watch;
+    double t;  // [s]
+  };
+  std::optional<WatchedEvent> firstWatchedEvent(double t_end);
   template <class... Meter>
   void stepMetered(Meter&... meter);
   template <class... Meter>
   void advanceLinking(double t_end, Meter&... meter);
   template <class... Meter>
   void advanceTo(double t, double t_end, const std::vector<std::size_t>& bodies, Meter&... meter);
+  template <class... Meter>
+  bool advanceContact(double limit, double t_end, Meter&... meter);
+  template <class... Meter>
+  double advanceGroup(std::size_t g, double t, double t_end, Meter&... meter);
   template <class... Meter>
   void advance(Group& group, double t_end, std::vector<WrenchSchedule>& schedules,
                Meter&... meter) const;
@@ -90,7 +109,7 @@ class Run {
   void accept(double t_end);
   std::vector<std::size_t> groupsOf(const std::vector<std::size_t>& bodies) const;
   std::vector<std::size_t> linkedFrom(double t) const;
-  void regroup(const std::vector<std::size_t>& bodies, double t);
+  void regroup(const std::vector<std::size_t>& bodies, double t, bool anew = false);
   void restartGroup(std::size_t body);
   void disturb(std::size_t body);
   State sampleLinking(double t) const;
@@ -110,7 +129,10 @@ class Run {
   std::vector<double> known_until_;     // Group's, index by index; or kNotKnown
   std::vector<std::size_t> group_of_;   // body -> index in groups_; ignored for a fixed body
   std::vector<std::size_t> member_of_;  // body -> index among the members of its group; likewise
-  double next_link_ = std::numeric_limits<double>::infinity();  // [s] when wrenches link or part
+  double next_link_ = kNever;           // [s] when wrenches link or part
+  double watch_from_ = kNever;          // [s] when laws may begin or cease to act
+  std::vector<ContactEvent> contact_events_;
+  std::int64_t contact_events_step_ = 0;  // the step at the end of which they hold
   Step step_;
   int max_substeps_ = 1;          // of groups that are no more
   std::int64_t evaluations_ = 0;  // likewise

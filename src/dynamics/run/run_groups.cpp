@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "dynamics/run/run.hpp"
@@ -14,8 +13,7 @@ Run::Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start)
   for (const PointWrench& wrench : world_->wrenches)
     if (!HeldWrench::holds(wrench))
       planner_.requireSupport(kCoupling, world_->bodies[wrench.body].name);
-  for (std::size_t law : laws_.guarded())
-    watches_.emplace_back(*world_, law, laws_.firstState(law));
+  watchLaws();
   for (const auto& law : world_->laws)
     planner_.requireSupport(law->needs(), world_->bodies[law->members().front()].name);
   planner_.take(start_->plans);
@@ -31,9 +29,7 @@ Run Run::atTwiceTheStep() const {
   coarse.planner_.doubleTurns();
   coarse.steps_ = steps_ / 2;
   coarse.law_states_ = lawStates();
-  coarse.watches_.clear();
-  for (std::size_t law : laws_.guarded())
-    coarse.watches_.emplace_back(*coarse.world_, law, laws_.firstState(law));
+  coarse.watchLaws();
   coarse.groups_.clear();
   coarse.known_until_.clear();
   for (const Group& group : groups_) {
@@ -67,9 +63,12 @@ void Run::place(const State& start, bool scheduled) {
       schedules_[wrench.body].put("", onSteps(wrench, h), 0);
   for (WrenchSchedule& schedule : schedules_) schedule.advanceTo(time_);
   law_states_ = start.laws.empty() ? laws_.start(*world_) : start.laws;
+  contact_events_.clear();
+  if (start.laws.empty()) startContacts(laws_.contacts(), start.bodies);
   max_substeps_ = 1;
   evaluations_ = 0;
   for (LawWatch& watch : watches_) watch.wakeUp();
+  watch_from_ = watches_.empty() ? kNever : kNotKnown;
   formGroups(start, scheduled);
   findNextLink();
 }
@@ -93,6 +92,8 @@ void Run::formGroups(const State& start, bool scheduled) {
     Group group(*world_, laws_, bodies, choice, time_, std::move(states), law_states_, schedules_);
     if (!choice.method && !start.anchors.empty())
       group.anchor(start.anchors[bodies.members[0]], schedules_);
+    else if (!choice.method && !laws_.contacts().empty())
+      group.anchor({time_, start.bodies[bodies.members[0]]}, schedules_);
     addGroup(std::move(group));
   }
 }
@@ -131,12 +132,12 @@ void Run::removeGroups(const std::vector<std::size_t>& bodies) {
 
 /// Forms the groups of these bodies anew at time t, the present of all of them: what is linked as
 /// before goes on as it is.
-void Run::regroup(const std::vector<std::size_t>& bodies, double t) {
+void Run::regroup(const std::vector<std::size_t>& bodies, double t, bool anew) {
   std::vector<std::size_t> all;
   for (std::size_t g : groupsOf(bodies)) {
     const std::vector<std::size_t>& members = groups_[g].members();
     all.insert(all.end(), members.begin(), members.end());
-    groups_[g].putLawStates(laws_, law_states_);
+    if (!anew) groups_[g].putLawStates(laws_, law_states_);
   }
   std::sort(all.begin(), all.end());
   std::vector<Group> formed;
@@ -145,96 +146,23 @@ void Run::regroup(const std::vector<std::size_t>& bodies, double t) {
     const std::size_t g = group_of_[linked.members[0]];
     const bool same = groups_[g].bodies() == linked;
     const bool solvable = !choice.method;
-    if (same && solvable == !groups_[g].choice().method) continue;
+    if (!anew && same && solvable == !groups_[g].choice().method) continue;
     std::vector<BodyState> states;
     for (std::size_t body : linked.members)
       states.push_back(groups_[group_of_[body]].at(t, member_of_[body]));
+    const BodyState first = states.front();
     formed.push_back(
         Group(*world_, laws_, linked, choice, t, std::move(states), law_states_, schedules_));
+    // those who look for contacts ask for its motion at once
+    if (solvable && !laws_.contacts().empty()) formed.back().anchor({t, first}, schedules_);
   }
   std::vector<std::size_t> changed;
   for (const Group& group : formed)
     changed.insert(changed.end(), group.members().begin(), group.members().end());
   removeGroups(changed);
   for (Group& group : formed) addGroup(std::move(group));
-  for (LawWatch& watch : watches_) watch.wakeUp();
+  wakeWatches(all);
 }
-
-void Run::findNextLink() {
-  next_link_ = std::numeric_limits<double>::infinity();
-  for (const WrenchSchedule& schedule : schedules_)
-    next_link_ = std::min(next_link_, schedule.nextCoupling());
-}
-
-/// The bodies that wrenches link or part at time t, and those at the other end.
-std::vector<std::size_t> Run::linkedFrom(double t) const {
-  std::vector<std::size_t> bodies;
-  for (std::size_t body = 0; body < schedules_.size(); ++body)
-    if (schedules_[body].nextCoupling() <= t) schedules_[body].addLinked(t, bodies);
-  return bodies;
-}
-
-/// The state of a body at a time within the step.
-BodyState Run::bodyAt(std::size_t body, double t) const {
-  if (world_->bodies[body].fixed) return start_->bodies[body];
-  const std::size_t g = group_of_[body];
-  if (t < known_until_[g] || t <= std::max(time_, groups_[g].time()))
-    return groups_[g].at(t, member_of_[body]);
-  Group group = groups_[g];
-  std::vector<WrenchSchedule> schedules = schedules_;
-  advance(group, t, schedules);
-  return group.advanced().bodies[member_of_[body]];
-}
-
-/// Advances those groups that wrenches link or part within the step, or a law that begins to act,
-/// to that instant, and forms them anew there.
-template <class... Meter>
-void Run::advanceLinking(double t_end, Meter&... meter) {
-  step_.law_states = lawStates();
-  const auto motion = [this](std::size_t body, double t) { return bodyAt(body, t); };
-  double t = time_;
-  constexpr int kMaxLinks = 10000;
-  for (int links = 0;; ++links) {
-    if (links == kMaxLinks)
-      throw SimulationDiverged(time_, world_->bodies[0].name, "a step links bodies 10000 times");
-    if (links > 0) findNextLink();
-    double next = next_link_;
-    LawWatch* beginning = nullptr;
-    for (LawWatch& watch : watches_) {
-      const double* own = law_states_.data() + watch.firstState();
-      if (world_->laws[watch.law()]->acts(own)) continue;
-      const std::optional<double> event = watch.firstEvent(t, std::min(t_end, next), own, motion);
-      if (!event) continue;
-      next = *event;
-      beginning = &watch;
-    }
-    if (!(next <= t_end)) return;
-    const std::vector<std::size_t> bodies = beginning ? beginning->members() : linkedFrom(next);
-    advanceTo(next, t_end, bodies, meter...);
-    if (beginning)
-      beginning->switchModes(next, law_states_.data() + beginning->firstState(), motion);
-    regroup(bodies, next);
-    t = next;
-  }
-}
-
-/// Advances the groups of these bodies to an instant t within the step, for good or until the step
-/// is taken back.
-template <class... Meter>
-void Run::advanceTo(double t, double t_end, const std::vector<std::size_t>& bodies,
-                    Meter&... meter) {
-  for (std::size_t g : groupsOf(bodies)) {
-    begin(g, t_end);
-    step_.advanced.pop_back();  // it is another by the end of the step
-    const bool is_found = groups_[g].time() <= time_;
-    if (is_found) step_.regrouped.push_back(groups_[g]);
-    advance(groups_[g], t, schedules_, meter...);
-    groups_[g].accept(t);
-  }
-}
-
-template void Run::advanceLinking(double);
-template void Run::advanceLinking(double, ExchangeMeter&);
 
 void Run::put(const std::string& slot, const PointWrench& wrench) {
   schedules_[wrench.body].put(slot, wrench, time_);
@@ -263,6 +191,7 @@ void Run::setState(std::size_t body, const BodyState& state) {
   disturb(body);
   restartGroup(body);
   groups_[group_of_[body]].setState(member_of_[body], state);
+  restartContacts(body);
 }
 
 /// Begins anew from the present, what acts on a body or its state being another from now on.
@@ -276,7 +205,7 @@ void Run::restartGroup(std::size_t body) {
 /// Bodies that act on one another no longer move as the scene predicted.
 void Run::disturb(std::size_t body) {
   groups_[group_of_[body]].fallBackToErrorControl();
-  for (LawWatch& watch : watches_) watch.wakeUp();
+  if (!watches_.empty()) wakeWatches(groups_[group_of_[body]].members());
 }
 
 }  // namespace rigid_body_sim

@@ -132,6 +132,10 @@ std::vector<PointWrench> Simulation::activeWrenches(std::size_t body, double t) 
   return parts_->run.schedules()[body].activeAt(t);
 }
 
+const std::vector<ContactEvent>& Simulation::contactEvents() const {
+  return parts_->run.contactEvents();
+}
+
 Wrench Simulation::appliedWrench(std::size_t body) const {
   Wrench sum;
   std::vector<BodyState> states(3);  // of the body, and of those that axes and point turn with

@@ -128,6 +128,7 @@ int Stepper::divide(const System& system, double h, const SystemState& states) {
 
 template <class Meter>
 bool Stepper::advance(const System& system, double t, double h, SystemState& states, Meter& meter) {
+  if (system.has_contact) return advanceInContact(system, t, h, states, meter);
   const int count = divide(system, h, states);
   if (system.has_events) return takeSubsteps(system, t, h, count, states, meter);
   for (int k = 0; k < count; ++k) {
@@ -151,7 +152,7 @@ bool Stepper::takeSubsteps(const System& system, double t, double h, int count, 
     const double length = left < 1.5 * substep && left > substep ? left : std::min(left, substep);
     const double done = takeSubstep(system, t, length, states, meter);
     if (done < length) {
-      meter.addEnergy(switchModes(system, states));
+      meter.addEnergy(switchModes(system, states, contact_events_));
       workspace_.wrenches_current = false;
       switched = true;
     }
@@ -193,5 +194,7 @@ void Stepper::visit(const System& system, double t, double h, const SystemState&
 
 template bool Stepper::advance(const System&, double, double, SystemState&, NoMeter&);
 template bool Stepper::advance(const System&, double, double, SystemState&, ExchangeMeter&);
+template void Stepper::visit(const System&, double, double, const SystemState&, NoMeter&);
+template void Stepper::visit(const System&, double, double, const SystemState&, ExchangeMeter&);
 
 }  // namespace rigid_body_sim

@@ -38,10 +38,17 @@ class Stepper {
   /// Substeps without which the integrator cannot follow a step of h from these states.
   double substepsNeeded(const System& system, double h, const SystemState& states) const;
 
-  /// Advances the states from t by h, through the events of laws. Returns whether there were any.
+  /// Advances the states from t by h, through the events of laws. Returns whether there were any;
+  /// in a system with contact, whether it stopped at one by which a law begins or ceases to act.
   /// Throws StepTooLong.
   template <class Meter>
   bool advance(const System& system, double t, double h, SystemState& states, Meter& meter);
+
+  /// [s] Where the last advance() stopped.
+  double stoppedAt() const { return stopped_at_; }
+
+  /// Moves the touches and releases since the last call to the end of a list.
+  void moveContactEvents(std::vector<ContactEvent>& events);
 
  private:
   double fastestRate(const System& system, double h, const SystemState& states) const;
@@ -55,6 +62,13 @@ class Stepper {
   template <class Meter>
   double takeSubstep(const System& system, double t, double h, SystemState& states, Meter& meter);
   template <class Meter>
+  bool advanceInContact(const System& system, double t, double h, SystemState& states,
+                        Meter& meter);
+  StepBound contactBound() const;
+  double longestStep(const System& system, double h, const SystemState& states) const;
+  double takeEstimatedStep(const System& system, double h, SystemState& states, double& next);
+  bool switchContacts(const System& system, double t, SystemState& states, double& energy);
+  template <class Meter>
   void visit(const System& system, double t, double h, const SystemState& states, Meter& meter);
 
   MethodChoice choice_;
@@ -67,6 +81,8 @@ class Stepper {
   bool speed_matters_ = false;   // whether a law's rate grows with speed
   bool torque_matters_ = false;  // whether torques other than the laws' may spin a body up
   int max_substeps_ = 1;
+  double stopped_at_ = 0;
+  std::vector<ContactEvent> contact_events_;
 };
 
 }  // namespace rigid_body_sim

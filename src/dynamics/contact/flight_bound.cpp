@@ -1,0 +1,89 @@
+#include "dynamics/contact/flight_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigid_body_sim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The root of a concave function that is not negative at 0, from below; infinity where there is
+/// none. Wherever it is positive on the right, it is positive in between.
+template <class F>
+double lastRoot(const F& gap, double guess) {
+  constexpr double kFar = 1e9;  // [s]
+  double low = 0, high = guess;
+  while (gap(high) >= 0) {
+    low = high;
+    high *= 4;
+    if (high > kFar) return kInfinity;
+  }
+  for (int i = 0; i < 100 && high - low > 1e-3 * high; ++i) {
+    const double g_low = gap(low), g_high = gap(high);
+    // the chord of a concave function lies below it: its root is certain
+    const double chord = low + (high - low) * (g_low / (g_low - g_high));
+    const double middle = 0.5 * (low + high);
+    if (chord > low && chord < high && gap(chord) >= 0) low = chord;
+    (gap(middle) >= 0 ? low : high) = std::max(low, middle);
+  }
+  return low;
+}
+
+}  // namespace
+
+double turningBound(const Body& body, const BodyState& state, double torque, double duration) {
+  const Vector3d w_P = angularVelocity(body.inv_I, state.L_P);
+  const double slowest = 1 / body.inv_I.maxCoeff();  // the least moment
+  const double energy2 = w_P.dot(state.L_P);
+  double w2 = std::min(energy2 / slowest, (state.L_P / slowest).squaredNorm());
+  if (torque > 0) {
+    const double w = (state.L_P.norm() + torque * duration) / slowest;
+    w2 = w * w;
+  }
+  const Vector3d& I = body.I;
+  const double skew = std::max(
+      {std::abs(I[1] - I[2]) / I[0], std::abs(I[2] - I[0]) / I[1], std::abs(I[0] - I[1]) / I[2]});
+  return w2 + 0.5 * w2 * skew + torque / slowest;
+}
+
+PlaneFlight::PlaneFlight(const Body& body, const BodyState& state, const HalfSpace& plane,
+                         const MotionBound& bound)
+    : horizon_(kInfinity) {
+  const Vector3d n_W = rotate(plane.q_WH, Vector3d(Vector3d::UnitZ()));
+  height_ = n_W.dot(state.x_W - plane.origin_W);
+  low_ = n_W.dot(state.x_low_W);
+  speed_ = n_W.dot(state.p_W) / body.mass;
+  acceleration_ = std::min(n_W.dot(bound.a_W), 0.0) - bound.a_off;
+  m_P_ = -rotateBack(state.q_WP, n_W);
+  m_dot_P_ = m_P_.cross(angularVelocity(body.inv_I, state.L_P));
+  constexpr double kAtATime = 1;  // [s] under a torque
+  turning_ = turningBound(body, state, bound.torque, kAtATime);
+  if (bound.torque > 0) horizon_ = kAtATime;
+}
+
+double PlaneFlight::clearFor(const Feature& feature) const {
+  const double bend = turning_ * feature.reach() - acceleration_;
+  const auto gap = [&](double tau) {
+    const double bottom = support(feature, m_P_ + tau * m_dot_P_);
+    return (height_ - bottom) + low_ + tau * (speed_ - 0.5 * bend * tau);
+  };
+  const double now = gap(0);
+  if (!(now >= 0)) return 0;
+  if (!std::isfinite(bend)) return 0;
+  const double closing = std::abs(speed_) + m_dot_P_.norm() * feature.reach();
+  const double guess = now / (closing + std::sqrt(bend * now) + 1e-300);
+  return std::min(lastRoot(gap, std::max(guess, 1e-18)), horizon_);
+}
+
+double PlaneFlight::clearFor(double reach) const {
+  const double now = height_ - reach + low_;
+  if (!(now > reach)) return 0;
+  // now + speed τ + ½ acceleration τ² = 0, the first root after 0, without cancellation
+  const double root = std::sqrt(speed_ * speed_ - 2 * acceleration_ * now);
+  if (speed_ < 0) return 2 * now / (root - speed_);
+  return acceleration_ < 0 ? (speed_ + root) / -acceleration_ : kInfinity;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cmath>
+
+#include <rigid_body_sim/dynamics/contact.hpp>
+
+namespace rigid_body_sim {
+
+/// δᵖ, continued below zero as an odd function: the stages of a step look past the instant of a
+/// touch, and find a smooth force there.
+inline double oddPower(double depth, double p) {
+  if (p == 1) return depth;
+  if (p == 1.5) return depth * std::sqrt(std::abs(depth));
+  return std::copysign(std::pow(std::abs(depth), p), depth);
+}
+
+/// A point that touches: the normal force and its energy.
+struct NormalPoint {
+  double depth = 0;      ///< δ [m]
+  double rate = 0;       ///< δ' [m/s]
+  bool clipped = false;  ///< whether it would pull: 1 + d δ' < 0
+
+  /// k δᵖ (1 + d δ') or 0  [N]
+  double force(const ContactParameters& c) const {
+    return clipped ? 0 : c.stiffness * oddPower(depth, c.exponent) * (1 + c.dissipation * rate);
+  }
+  /// k δᵖ⁺¹/(p + 1)  [J]
+  double energy(const ContactParameters& c) const {
+    return c.stiffness * std::abs(depth) * std::abs(oddPower(depth, c.exponent)) / (c.exponent + 1);
+  }
+  /// −k δᵖ d δ'², or, where it would pull, what of the energy is lost: k δᵖ δ' < 0  [W]
+  double externalPower(const ContactParameters& c) const {
+    const double elastic = c.stiffness * oddPower(depth, c.exponent);
+    return clipped ? elastic * rate : -elastic * c.dissipation * rate * rate;
+  }
+};
+
+/// How friction yields: the spring and the damper of one of its elements.
+struct Bristle {
+  double stiffness = 0;  ///< [N/m] or [N m]
+  double damping = 0;    ///< [N s/m] or [N m s]
+
+  bool exists() const { return stiffness > 0; }
+};
+
+/// Pull of a bristle that is stretched by s at the velocity v, of at most `cap`, and the rate of s:
+///   sticks:  −q,  v;     slips:  −cap q/|q|,  v − (1 − cap/|q|) q/c;     q = k s + c v
+template <class V>
+struct BristlePull {
+  V pull, rate;
+
+  BristlePull(const Bristle& bristle, const V& s, const V& v, double cap, bool slips) {
+    const V q = bristle.stiffness * s + bristle.damping * v;
+    const double size = q.norm();
+    if (!slips) {
+      pull = -q;
+      rate = v;
+    } else if (size > 0) {
+      const double share = cap / size;
+      pull = -share * q;
+      rate = v - (1 - share) / bristle.damping * q;
+    } else {
+      pull = V::Zero();
+      rate = v;
+    }
+  }
+
+  /// [N] |q| − cap
+  static double excess(const Bristle& bristle, const V& s, const V& v, double cap) {
+    return (bristle.stiffness * s + bristle.damping * v).norm() - cap;
+  }
+};
+
+/// The bristles of a contact under the reduced mass m: k_t = μ m g₀/b, c_t = 0.4 √(k_t m); those of
+/// rolling, at the lever ℓ: k_r = ρ m g₀ ℓ/b, c_r = 0.4 √(k_r m) ℓ.
+struct Bristles {
+  static constexpr double kEarthGravity = 9.80665;  // [m/s²] of the definition of `breakaway`
+  static constexpr double kDamping = 0.4;
+
+  static Bristle sliding(const ContactParameters& c, double mass) {
+    const double k = c.friction * mass * kEarthGravity / c.breakaway;
+    return {k, kDamping * std::sqrt(k * mass)};
+  }
+  static Bristle rolling(const ContactParameters& c, double mass, double lever) {
+    const double k = c.rolling_friction * mass * kEarthGravity * lever / c.breakaway;
+    return {k, kDamping * std::sqrt(k * mass) * lever};
+  }
+  /// [N] By how much a bristle must be pulled beyond its cap before it slips: rounding would switch
+  /// it to and fro.
+  static double margin(double mass) { return 1e-14 * mass * kEarthGravity; }
+};
+
+/// Throws std::invalid_argument for parameters that break a rule.
+void checkParameters(const ContactParameters& parameters);
+
+}  // namespace rigid_body_sim

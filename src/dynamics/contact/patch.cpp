@@ -1,0 +1,257 @@
+#include "dynamics/contact/patch.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace rigid_body_sim {
+namespace {
+
+using Eigen::Vector2d;
+
+Vector2d pair(const double* own) { return {own[0], own[1]}; }
+
+/// δ, or, exactly touching, a number of the sign that δ has next: a body at rest on a plane
+/// touches it.
+double touchGuard(const NormalPoint& point) {
+  constexpr double kTiny = 1e-300;
+  if (point.depth != 0) return point.depth;
+  return point.rate >= 0 ? kTiny : -kTiny;
+}
+
+}  // namespace
+
+Patch::Patch(const Feature& feature, const ContactParameters& parameters, double mass)
+    : feature_(feature),
+      c_(parameters),
+      mass_(mass),
+      lever_(feature.reach()),
+      bristle_(Bristles::sliding(parameters, mass)),
+      rolling_(Bristles::rolling(parameters, mass, lever_)) {
+  const double area = feature.radius * feature.radius;
+  spinning_ = {area * bristle_.stiffness, area * bristle_.damping};
+}
+
+Patch::Pose::Pose(const Body& on, const BodyState& at, const HalfSpace& against)
+    : body(on),
+      state(at),
+      plane(against),
+      n_W(rotate(against.q_WH, Vector3d(Vector3d::UnitZ()))),
+      e1_W(rotate(against.q_WH, Vector3d(Vector3d::UnitX()))),
+      e2_W(rotate(against.q_WH, Vector3d(Vector3d::UnitY()))),
+      v_W(at.p_W / on.mass),
+      w_W(rotate(at.q_WP, angularVelocity(on.inv_I, at.L_P))),
+      height(n_W.dot(at.x_W - against.origin_W)),
+      height_low(n_W.dot(at.x_low_W)) {}
+
+Patch::Now Patch::now(const Pose& pose, const double* own) const {
+  Now now;
+  now.mode = modeOf(own);
+  now.count = feature_.pointCount();
+  const PlanePoints points = planePoints(feature_, pose.state.q_WP, pose.n_W);
+  for (std::size_t j = 0; j < now.count; ++j) {
+    now.arm_W[j] = points.arm_W[j];
+    // the large parts first: near a touch they cancel, and the small one keeps its digits
+    now.point[j].depth = -(pose.height + points.height[j]) - pose.height_low;
+    now.point[j].rate = -pose.n_W.dot(pose.v_W + pose.w_W.cross(points.arm_W[j]));
+    now.point[j].clipped = (now.mode & (kClips << j)) != 0;
+    if (now.mode & (kTouches << j)) now.normal += now.point[j].force(c_);
+  }
+  placeFriction(pose, now);
+  return now;
+}
+
+/// Centre of pressure, and velocities there.
+void Patch::placeFriction(const Pose& pose, Now& now) const {
+  now.center_W = now.arm_W[0];
+  if (now.count > 1 && now.normal != 0) {
+    now.center_W.setZero();
+    for (std::size_t j = 0; j < now.count; ++j)
+      if (now.mode & (kTouches << j))
+        now.center_W += now.point[j].force(c_) / now.normal * now.arm_W[j];
+    for (std::size_t j = 0; j < now.count; ++j)
+      if (now.mode & (kTouches << j))
+        now.spread += now.point[j].force(c_) * (now.arm_W[j] - now.center_W).norm();
+  }
+  const Vector3d u_W = pose.v_W + pose.w_W.cross(now.center_W);
+  now.v = {pose.e1_W.dot(u_W), pose.e2_W.dot(u_W)};
+  now.roll = {pose.e1_W.dot(pose.w_W), pose.e2_W.dot(pose.w_W)};
+  now.spin = pose.n_W.dot(pose.w_W);
+}
+
+BristlePull<Vector2d> Patch::slide(const Now& now, const double* own) const {
+  return {bristle_, pair(own + kSlide), now.v, c_.friction * now.normal, (now.mode & kSlips) != 0};
+}
+
+BristlePull<Patch::Vector1d> Patch::spin(const Now& now, const double* own) const {
+  return {spinning_, Vector1d(own[kSpin]), Vector1d(now.spin), c_.friction * now.spread,
+          (now.mode & kSpins) != 0};
+}
+
+BristlePull<Vector2d> Patch::roll(const Now& now, const double* own) const {
+  return {rolling_, pair(own + kRoll), now.roll, c_.rolling_friction * now.normal,
+          (now.mode & kRolls) != 0};
+}
+
+Vector3d Patch::friction(const Pose& pose, const Now& now, const double* own) const {
+  if (!bristle_.exists() || !touches(now.mode)) return Vector3d::Zero();
+  const Vector2d pull = slide(now, own).pull;
+  return pull[0] * pose.e1_W + pull[1] * pose.e2_W;
+}
+
+void Patch::addWrench(const Pose& pose, const double* own, Wrench& wrench) const {
+  if (!touches(modeOf(own))) return;
+  const Now at = now(pose, own);
+  for (std::size_t j = 0; j < at.count; ++j) {
+    if (!(at.mode & (kTouches << j))) continue;
+    const Vector3d f_W = at.point[j].force(c_) * pose.n_W;
+    wrench.f_W += f_W;
+    wrench.tau_W += at.arm_W[j].cross(f_W);
+  }
+  const Vector3d friction_W = friction(pose, at, own);
+  wrench.f_W += friction_W;
+  wrench.tau_W += at.center_W.cross(friction_W);
+  if (spins()) wrench.tau_W += spin(at, own).pull[0] * pose.n_W;
+  if (rolling_.exists()) {
+    const Vector2d pull = roll(at, own).pull;
+    wrench.tau_W += pull[0] * pose.e1_W + pull[1] * pose.e2_W;
+  }
+}
+
+void Patch::setRates(const Pose& pose, const double* own, double* rates) const {
+  std::fill_n(rates, kOwnCount, 0.0);
+  if (!touches(modeOf(own))) return;
+  const Now at = now(pose, own);
+  if (bristle_.exists()) {
+    const Vector2d rate = slide(at, own).rate;
+    std::copy_n(rate.data(), 2, rates + kSlide);
+  }
+  if (spins()) rates[kSpin] = spin(at, own).rate[0];
+  if (rolling_.exists()) {
+    const Vector2d rate = roll(at, own).rate;
+    std::copy_n(rate.data(), 2, rates + kRoll);
+  }
+}
+
+double Patch::potentialEnergy(const Pose& pose, const double* own) const {
+  if (!touches(modeOf(own))) return 0;
+  const Now at = now(pose, own);
+  double energy = 0.5 * (bristle_.stiffness * pair(own + kSlide).squaredNorm() +
+                         spinning_.stiffness * own[kSpin] * own[kSpin] +
+                         rolling_.stiffness * pair(own + kRoll).squaredNorm());
+  for (std::size_t j = 0; j < at.count; ++j)
+    if (at.mode & (kTouches << j)) energy += at.point[j].energy(c_);
+  return energy;
+}
+
+// Of a bristle: what its pull does, and what goes into its spring.
+double Patch::externalPower(const Pose& pose, const double* own) const {
+  if (!touches(modeOf(own))) return 0;
+  const Now at = now(pose, own);
+  double power = 0;
+  for (std::size_t j = 0; j < at.count; ++j)
+    if (at.mode & (kTouches << j)) power += at.point[j].externalPower(c_);
+  const auto add = [&power](const Bristle& bristle, const auto& s, const auto& v, const auto& of) {
+    power += of.pull.dot(v) + bristle.stiffness * s.dot(of.rate);
+  };
+  if (bristle_.exists()) add(bristle_, pair(own + kSlide), at.v, slide(at, own));
+  if (spins()) add(spinning_, Vector1d(own[kSpin]), Vector1d(at.spin), spin(at, own));
+  if (rolling_.exists()) add(rolling_, pair(own + kRoll), at.roll, roll(at, own));
+  return power;
+}
+
+double Patch::rate(const Pose& pose, const double* own) const {
+  if (!touches(modeOf(own))) return 0;
+  const Now at = now(pose, own);
+  double stiffness = bristle_.stiffness, damping = bristle_.damping, fastest = 0;
+  for (std::size_t j = 0; j < at.count; ++j) {
+    if (!(at.mode & (kTouches << j))) continue;
+    const double depth = std::max(at.point[j].depth, 0.0);
+    stiffness += c_.exponent * c_.stiffness * std::pow(depth, c_.exponent - 1);
+    damping += c_.stiffness * std::pow(depth, c_.exponent) * c_.dissipation;
+  }
+  if (bristle_.exists()) fastest = bristle_.stiffness / bristle_.damping;
+  if (rolling_.exists()) fastest = std::max(fastest, rolling_.stiffness / rolling_.damping);
+  const double mobility = 1 / pose.body.mass + lever_ * lever_ * pose.body.inv_I.maxCoeff();
+  const double turning = pose.body.inv_I.maxCoeff();
+  const double swing = std::sqrt(stiffness * mobility + rolling_.stiffness * turning);
+  return std::max({fastest, swing, damping * mobility + rolling_.damping * turning});
+}
+
+// The force rises as t^p from a touch on, and falls so towards a release. Where p is not 1, no
+// estimate of a step that begins or ends there can be believed: steps grow with the time since, and
+// shrink with the time until then. The shortest are those over which the force brings about,
+// k |δ'|^p h^(p+1), less than the precision of the momentum m |δ'|.
+double Patch::longestStep(const Pose& pose, const double* own, double precision) const {
+  constexpr double kApproach = 0.7;
+  double longest = std::numeric_limits<double>::infinity();
+  if (c_.exponent == 1 || !touches(modeOf(own))) return longest;
+  const Now at = now(pose, own);
+  for (std::size_t j = 0; j < at.count; ++j) {
+    const NormalPoint& point = at.point[j];
+    const double speed = std::abs(point.rate);
+    if (!(at.mode & (kTouches << j)) || !(speed > 0)) continue;
+    const double first = std::pow(
+        precision * mass_ * std::pow(speed, 1 - c_.exponent) / c_.stiffness, 1 / (c_.exponent + 1));
+    const double part = point.rate > 0 ? 1 : kApproach;
+    longest = std::min(longest, std::max(first, part * point.depth / speed));
+  }
+  return longest;
+}
+
+void Patch::setGuards(const Pose& pose, const double* own, double* guards) const {
+  const Now at = now(pose, own);
+  std::fill_n(guards, guardCount(), 1.0);
+  for (std::size_t j = 0; j < at.count; ++j) {
+    const bool touching = (at.mode & (kTouches << j)) != 0;
+    guards[2 * j] = touching ? touchGuard(at.point[j]) : -touchGuard(at.point[j]);
+    const double push = 1 + c_.dissipation * at.point[j].rate;
+    if (touching) guards[2 * j + 1] = at.point[j].clipped ? -push : push;
+  }
+  if (!touches(at.mode)) return;
+  double* of_bristles = guards + 2 * at.count;
+  const auto guard = [&](Mode slipping, double excess, double margin) {
+    return (at.mode & slipping) ? excess : margin - excess;
+  };
+  const double margin = Bristles::margin(mass_);
+  if (bristle_.exists())
+    of_bristles[0] = guard(
+        kSlips,
+        BristlePull<Vector2d>::excess(bristle_, pair(own + kSlide), at.v, c_.friction * at.normal),
+        margin);
+  if (spins())
+    of_bristles[1] =
+        guard(kSpins,
+              BristlePull<Vector1d>::excess(spinning_, Vector1d(own[kSpin]), Vector1d(at.spin),
+                                            c_.friction * at.spread),
+              margin * feature_.radius);
+  if (rolling_.exists())
+    of_bristles[2] = guard(kRolls,
+                           BristlePull<Vector2d>::excess(rolling_, pair(own + kRoll), at.roll,
+                                                         c_.rolling_friction * at.normal),
+                           margin * lever_);
+}
+
+void Patch::switchMode(std::size_t guard, double* own) const {
+  const std::size_t points = feature_.pointCount();
+  unsigned mode = modeOf(own);
+  if (guard >= 2 * points) {
+    mode ^= static_cast<unsigned>(kSlips) << (guard - 2 * points);
+  } else if (guard % 2 == 1) {
+    mode ^= static_cast<unsigned>(kClips) << (guard / 2);
+  } else {
+    const unsigned j = static_cast<unsigned>(guard / 2);
+    const bool touched = touches(mode);
+    mode ^= static_cast<unsigned>(kTouches) << j;
+    mode &= ~(static_cast<unsigned>(kClips) << j);
+    if (touched == touches(mode)) {
+      own[kMode] = mode;
+      return;
+    }
+    // what its bristles hold is dropped as it lets go; they start from zero as it touches
+    mode &= 15U;
+    std::fill_n(own, static_cast<std::size_t>(kOwnCount), 0.0);
+  }
+  own[kMode] = mode;
+}
+
+}  // namespace rigid_body_sim

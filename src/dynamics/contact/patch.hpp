@@ -1,0 +1,82 @@
+#pragma once
+
+#include "dynamics/contact/feature.hpp"
+#include "dynamics/contact/normal_law.hpp"
+
+namespace rigid_body_sim {
+
+/// A feature against a plane: one element of a contact, with states and modes of its own.
+class Patch {
+ public:
+  /// Its states: the modes as a sum of bits, and the stretches of its bristles.
+  enum Own : std::size_t { kMode, kSlide, kSpin = 3, kRoll, kOwnCount = 6 };
+
+  /// mass [kg]: of the body.
+  Patch(const Feature& feature, const ContactParameters& parameters, double mass);
+
+  const Feature& feature() const { return feature_; }
+
+  /// Modes. Bit j: point j touches; 4 + j: it would pull; then: the bristles slip.
+  enum Mode : unsigned { kTouches = 1, kClips = 16, kSlips = 256, kSpins = 512, kRolls = 1024 };
+  static unsigned modeOf(const double* own) { return static_cast<unsigned>(own[kMode]); }
+  static bool touches(unsigned mode) { return (mode & 15U) != 0; }
+
+  /// Place of the body against the plane.
+  struct Pose {
+    const Body& body;
+    const BodyState& state;
+    const HalfSpace& plane;
+    Vector3d n_W, e1_W, e2_W;  ///< axes of the plane
+    Vector3d v_W, w_W;         ///< of the body [m/s], [rad/s]
+    double height;             ///< [m] of the centre of mass; its small part apart
+    double height_low;
+
+    Pose(const Body& on, const BodyState& at, const HalfSpace& against);
+  };
+
+  /// All that forces, rates and guards follow from.
+  struct Now {
+    unsigned mode;
+    std::size_t count;
+    std::array<Vector3d, 4> arm_W;  ///< [m]
+    std::array<NormalPoint, 4> point;
+    double normal = 0;        ///< Σ f_j [N], of those that touch
+    Vector3d center_W;        ///< [m] arm of the centre of pressure
+    double spread = 0;        ///< Σ f_j |r_j − center| [N m]
+    Eigen::Vector2d v, roll;  ///< [m/s], [rad/s] along the plane
+    double spin = 0;          ///< [rad/s] about the normal
+  };
+  Now now(const Pose& pose, const double* own) const;
+
+  void addWrench(const Pose& pose, const double* own, Wrench& wrench) const;
+  Vector3d friction(const Pose& pose, const Now& now, const double* own) const;  ///< [N]
+  void setRates(const Pose& pose, const double* own, double* rates) const;
+  double potentialEnergy(const Pose& pose, const double* own) const;
+  double externalPower(const Pose& pose, const double* own) const;
+
+  /// [1/s] Of swings and decays, in the present mode.
+  double rate(const Pose& pose, const double* own) const;
+
+  /// [s] See ForceLaw::longestStep.
+  double longestStep(const Pose& pose, const double* own, double precision) const;
+
+  /// Guards: of each point its touch and its pull; of the bristles.
+  std::size_t guardCount() const { return 2 * feature_.pointCount() + 3; }
+  void setGuards(const Pose& pose, const double* own, double* guards) const;
+  void switchMode(std::size_t guard, double* own) const;
+
+ private:
+  using Vector1d = Eigen::Matrix<double, 1, 1>;
+  BristlePull<Eigen::Vector2d> slide(const Now& now, const double* own) const;
+  BristlePull<Vector1d> spin(const Now& now, const double* own) const;
+  BristlePull<Eigen::Vector2d> roll(const Now& now, const double* own) const;
+  void placeFriction(const Pose& pose, Now& now) const;
+  bool spins() const { return bristle_.exists() && feature_.kind == Feature::Kind::kRim; }
+
+  Feature feature_;
+  ContactParameters c_;
+  double mass_, lever_;
+  Bristle bristle_, spinning_, rolling_;
+};
+
+}  // namespace rigid_body_sim

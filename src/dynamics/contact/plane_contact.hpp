@@ -1,0 +1,56 @@
+#pragma once
+
+#include "dynamics/contact/patch.hpp"
+
+namespace rigid_body_sim {
+
+/// Contact of one body with a half-space: a patch for each of its features.
+class PlaneContact final : public ForceLaw {
+ public:
+  PlaneContact(const Body& on, std::size_t body, const std::vector<Feature>& features,
+               const HalfSpace& plane, const ContactParameters& parameters);
+
+  const char* name() const override { return "contact"; }
+  std::vector<std::size_t> members() const override { return {body_}; }
+  std::shared_ptr<const ForceLaw> reindexed(
+      const std::function<std::size_t(std::size_t)>& index) const override;
+  unsigned needs() const override { return kCoupling | kDamping | kLawStates | kContact; }
+
+  void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
+  double potentialEnergy(const Bodies& at) const override;
+  double externalPower(const Bodies& at) const override;
+  double rate(const Bodies& at, const std::vector<double>& speeds) const override;
+  bool hasRate() const override { return true; }
+  double reach(const Bodies& at) const override;
+
+  std::size_t stateCount() const override { return patches_.size() * Patch::kOwnCount; }
+  void setRates(const Bodies& at, double* rates) const override;
+  std::size_t guardCount() const override { return guard_count_; }
+  void setGuards(const Bodies& at, double* guards) const override;
+  void switchMode(std::size_t guard, const Bodies& at, double* own) const override;
+  bool acts(const double* own) const override;
+
+  double quietInFlight(double t, const Bodies& at,
+                       const std::vector<MotionBound>& bounds) const override;
+  bool startsAnew() const override { return true; }
+  bool switchesSmoothly() const override { return true; }
+  double longestStep(const Bodies& at, double precision) const override;
+  void addContacts(const Bodies& at, std::vector<ContactPoint>& contacts) const override;
+  void addContactEvents(const Bodies& at, const double* before,
+                        std::vector<ContactEvent>& events) const override;
+
+ private:
+  Patch::Pose poseOf(const Bodies& at) const {
+    return {*at.bodies[body_], at.states[body_], plane_};
+  }
+  ContactPoint contactAt(const Patch::Pose& pose, const Patch& patch, const double* own) const;
+
+  std::size_t body_;
+  std::size_t label_;  // index of the body in the world
+  HalfSpace plane_;
+  std::vector<Patch> patches_;
+  std::size_t guard_count_ = 0;
+  double reach_ = 0;  // [m] of all features
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,32 @@
+#include <algorithm>
+
+#include "dynamics/run/group.hpp"
+
+/// What a group says to those who look for contacts.
+namespace rigid_body_sim {
+
+bool Group::follows(std::size_t law) const {
+  return std::find(stateful_laws_.begin(), stateful_laws_.end(), law) != stateful_laws_.end();
+}
+
+void Group::moveContactEvents(std::vector<ContactEvent>& events) {
+  if (stepper_) stepper_->moveContactEvents(events);
+}
+
+std::optional<MotionBound> Group::motionBound(const std::vector<WrenchSchedule>& schedules) const {
+  if (stepper_) return std::nullopt;
+  const HeldWrench& held = system_.held[0];
+  const Body& body = *system_.bodies[0];
+  // about a point of the world the arm has no bound
+  if (!held.world_point_forces.empty()) return std::nullopt;
+  MotionBound bound;
+  bound.a_W = system_.g_W + held.f_W / body.mass;
+  bound.a_off = held.f_P.norm() / body.mass;
+  bound.torque = held.tau_W.norm() + held.tau_P.norm();
+  for (const HeldWrench::BodyPointForce& lever : held.body_point_forces)
+    bound.torque += lever.arm_P.norm() * lever.force_W.norm();
+  bound.until = nextEvent(schedules);
+  return bound;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,42 @@
+#include <algorithm>
+
+#include "dynamics/run/run.hpp"
+
+/// Contacts that start anew, and what is reported of them.
+namespace rigid_body_sim {
+
+const std::vector<ContactEvent>& Run::contactEvents() const {
+  static const std::vector<ContactEvent> none;
+  return contact_events_step_ == steps_ ? contact_events_ : none;
+}
+
+/// Puts the own states of contacts to what they are where nothing has happened before.
+void Run::startContacts(const std::vector<std::size_t>& laws,
+                        const std::vector<BodyState>& bodies) {
+  contact_events_step_ = steps_;
+  for (std::size_t law : laws) {
+    double* own = law_states_.data() + laws_.firstState(law);
+    world_->laws[law]->setStart(own);
+    const LawWatch watch(*world_, law, laws_.firstState(law));
+    watch.switchModes(
+        time_, own, [&bodies](std::size_t body, double) { return bodies[body]; }, contact_events_);
+  }
+}
+
+/// After the state of a body was set from outside.
+void Run::restartContacts(std::size_t body) {
+  std::vector<std::size_t> contacts;
+  for (std::size_t law : laws_.of(body))
+    if (world_->laws[law]->startsAnew()) contacts.push_back(law);
+  if (contacts.empty()) return;
+  law_states_ = lawStates();
+  std::vector<BodyState> bodies;
+  for (std::size_t i = 0; i < world_->bodies.size(); ++i) bodies.push_back(this->body(i));
+  startContacts(contacts, bodies);
+  std::vector<std::size_t> members;
+  for (std::size_t law : contacts)
+    for (std::size_t member : world_->laws[law]->members()) members.push_back(member);
+  regroup(members, time_, true);
+}
+
+}  // namespace rigid_body_sim

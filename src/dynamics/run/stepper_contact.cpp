@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dynamics/run/stepper.hpp"
+
+/// Steps of systems with contact: between many events, as long as the integrator's estimates allow.
+namespace rigid_body_sim {
+namespace {
+
+/// Which laws act.
+std::vector<bool> actingLaws(const System& system, const SystemState& states) {
+  std::vector<bool> acting;
+  forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& at) {
+    acting.push_back(law.acts(at.own));
+  });
+  return acting;
+}
+
+}  // namespace
+
+void Stepper::moveContactEvents(std::vector<ContactEvent>& events) {
+  events.insert(events.end(), contact_events_.begin(), contact_events_.end());
+  contact_events_.clear();
+}
+
+/// What the estimate of a step may reach. Errors grow from impact to impact, so that it lies far
+/// below the tolerance; in the run that estimates the error, 100 times higher.
+StepBound Stepper::contactBound() const {
+  constexpr double kShare = 1e-4, kRounding = 1e-14, kLoosest = 1e-6, kIdleShare = 1e-2;
+  const double companion = choice_.max_turn_share > 1 ? 100 : 1;
+  const double bound = companion * std::clamp(kShare * tolerance_.attitude, kRounding, kLoosest);
+  return {bound, kIdleShare * bound};
+}
+
+/// [s] Within which the integrator is stable and its estimate can be believed.
+double Stepper::longestStep(const System& system, double h, const SystemState& states) const {
+  // an estimate may vanish by accident, more often the longer the step: no step is tried that is
+  // far longer than those that the bound allows, as a rule
+  constexpr double kLongest = 12, kOrder = 8;
+  const double turn = std::min(choice_.method->max_turn,
+                               kLongest * std::pow(workspace_.step_bound.error, 1 / kOrder));
+  double longest = turn / std::max(fastestRate(system, h, states), 1e-300);
+  forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& at) {
+    if (law.acts(at.own))
+      longest = std::min(longest, law.longestStep(at, workspace_.step_bound.error));
+  });
+  return longest;
+}
+
+/// At most a step of h. Returns its length, and in `next` the length that the estimate suggests for
+/// the next one.
+double Stepper::takeEstimatedStep(const System& system, double h, SystemState& states,
+                                  double& next) {
+  constexpr double kRounding = 1e-12, kSafety = 0.9, kOrder = 8;
+  const double bound = workspace_.step_bound.error;
+  const SystemState start = states;
+  double last_error = std::numeric_limits<double>::infinity();
+  constexpr int kMaxTries = 200;
+  for (int tries = 0; tries < kMaxTries; ++tries) {
+    choice_.method->step(system, h, states, workspace_);
+    const double error = workspace_.error;
+    // shorter steps no longer help: rounding dominates
+    const bool stuck = error <= kRounding && error > 0.5 * last_error;
+    const double factor = kSafety * std::pow(bound / std::max(error, 1e-3 * bound), 1 / kOrder);
+    if (error <= bound || stuck) {
+      next = h * (stuck ? 1 : std::clamp(factor, 0.2, 2.0));
+      return h;
+    }
+    states = start;
+    last_error = error;
+    h *= std::isfinite(error) ? std::clamp(factor, 0.1, 0.8) : 0.1;
+  }
+  throw StepTooLong(std::string(choice_.method->name) + " cannot follow a contact");
+}
+
+/// Returns whether a law has begun or ceased to act.
+bool Stepper::switchContacts(const System& system, double t, SystemState& states, double& energy) {
+  const std::vector<bool> acted = actingLaws(system, states);
+  const std::size_t first = contact_events_.size();
+  energy = switchModes(system, states, contact_events_);
+  for (std::size_t i = first; i < contact_events_.size(); ++i) contact_events_[i].t = t;
+  workspace_.wrenches_current = false;
+  return acted != actingLaws(system, states);
+}
+
+template <class Meter>
+bool Stepper::advanceInContact(const System& system, double t, double h, SystemState& states,
+                               Meter& meter) {
+  workspace_.step_bound = contactBound();
+  double done = 0, next = h;
+  constexpr int kMaxSteps = 10000000;
+  for (int taken = 0; done < h; ++taken) {
+    if (taken == kMaxSteps) throw StepTooLong("a step in contact takes more than 1e7 substeps");
+    const double left = h - done;
+    double step = std::min({left, next, longestStep(system, h, states)});
+    if (step < left && step > 0.5 * left) step = 0.5 * left;  // no sliver at the end
+    const SystemState start = states;
+    step = takeEstimatedStep(system, step, states, next);
+    scratch_.step_bound = workspace_.step_bound;
+    const MotionPiece piece(system, *choice_.method, start, 0, step, scratch_);
+    const double length = events_.firstEvent(piece, start, states);
+    visit(system, t + done, length, start, meter);
+    done = length == left ? h : done + length;
+    if (!events_.found()) continue;
+    double energy = 0;
+    const bool stops = switchContacts(system, t + done, states, energy);
+    meter.addEnergy(energy);
+    if (!stops) continue;
+    stopped_at_ = done == h ? t + h : std::min(t + done, t + h);
+    return true;
+  }
+  return false;
+}
+
+template bool Stepper::advanceInContact(const System&, double, double, SystemState&, NoMeter&);
+template bool Stepper::advanceInContact(const System&, double, double, SystemState&,
+                                        ExchangeMeter&);
+
+}  // namespace rigid_body_sim
