@@ -33,6 +33,14 @@ double lastRoot(const F& gap, double guess) {
 
 }  // namespace
 
+double firstRoot(double gap, double speed, double acceleration) {
+  if (!(gap >= 0) || !std::isfinite(acceleration)) return 0;
+  // without cancellation
+  const double root = std::sqrt(speed * speed - 2 * acceleration * gap);
+  if (speed < 0) return 2 * gap / (root - speed);
+  return acceleration < 0 ? (speed + root) / -acceleration : kInfinity;
+}
+
 double turningBound(const Body& body, const BodyState& state, double torque, double duration) {
   const Vector3d w_P = angularVelocity(body.inv_I, state.L_P);
   const double slowest = 1 / body.inv_I.maxCoeff();  // the least moment
@@ -58,9 +66,8 @@ PlaneFlight::PlaneFlight(const Body& body, const BodyState& state, const HalfSpa
   acceleration_ = std::min(n_W.dot(bound.a_W), 0.0) - bound.a_off;
   m_P_ = -rotateBack(state.q_WP, n_W);
   m_dot_P_ = m_P_.cross(angularVelocity(body.inv_I, state.L_P));
-  constexpr double kAtATime = 1;  // [s] under a torque
-  turning_ = turningBound(body, state, bound.torque, kAtATime);
-  if (bound.torque > 0) horizon_ = kAtATime;
+  turning_ = turningBound(body, state, bound.torque, kTurningTime);
+  if (bound.torque > 0) horizon_ = kTurningTime;
 }
 
 double PlaneFlight::clearFor(const Feature& feature) const {
@@ -80,10 +87,7 @@ double PlaneFlight::clearFor(const Feature& feature) const {
 double PlaneFlight::clearFor(double reach) const {
   const double now = height_ - reach + low_;
   if (!(now > reach)) return 0;
-  // now + speed τ + ½ acceleration τ² = 0, the first root after 0, without cancellation
-  const double root = std::sqrt(speed_ * speed_ - 2 * acceleration_ * now);
-  if (speed_ < 0) return 2 * now / (root - speed_);
-  return acceleration_ < 0 ? (speed_ + root) / -acceleration_ : kInfinity;
+  return firstRoot(now, speed_, acceleration_);
 }
 
 }  // namespace rigid_body_sim

@@ -4,6 +4,13 @@
 
 namespace rigid_body_sim {
 
+/// [s] For how long a bound under a torque is valid.
+constexpr double kTurningTime = 1;
+
+/// The first root after 0 of gap + speed τ + ½ acceleration τ², of gap >= 0, acceleration <= 0;
+/// infinity where there is none.
+double firstRoot(double gap, double speed, double acceleration);
+
 /// How fast the points of a body may leave their tangents, as it turns.
 ///   ω² <= min(2 T/I_min, (L/I_min)²),   |α| <= ½ ω² max|I_i − I_j|/I_k + τ/I_min
 /// Returns |α| + ω² [1/s²]; under a torque, over the next `duration`.

@@ -1,5 +1,7 @@
 #include "dynamics/contact/normal_law.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -74,6 +76,19 @@ double dissipationForRestitution(double e, double approach_speed) {
     y = next;
   }
   return speedRatioAt(y) / approach_speed;
+}
+
+// The force rises as t^p from a touch on, and falls so towards a release. Where p is not 1, no
+// estimate of a step that begins or ends there can be believed: steps grow with the time since, and
+// shrink with the time until then. The shortest are those over which the force brings about,
+// k |δ'|^p h^(p+1), less than the precision of the momentum m |δ'|.
+double NormalPoint::longestStep(const ContactParameters& c, double mass, double precision) const {
+  constexpr double kApproach = 0.7;
+  const double speed = std::abs(rate);
+  if (c.exponent == 1 || !(speed > 0)) return std::numeric_limits<double>::infinity();
+  const double shortest = std::pow(precision * mass * std::pow(speed, 1 - c.exponent) / c.stiffness,
+                                   1 / (c.exponent + 1));
+  return std::max(shortest, (rate > 0 ? 1 : kApproach) * depth / speed);
 }
 
 void checkParameters(const ContactParameters& c) {

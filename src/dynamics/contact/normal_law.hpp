@@ -20,6 +20,17 @@ struct NormalPoint {
   double rate = 0;       ///< δ' [m/s]
   bool clipped = false;  ///< whether it would pull: 1 + d δ' < 0
 
+  /// δ, or, exactly touching, a number of the sign that δ has next: a body at rest on a plane
+  /// touches it.
+  double touchGuard() const {
+    constexpr double kTiny = 1e-300;
+    if (depth != 0) return depth;
+    return rate >= 0 ? kTiny : -kTiny;
+  }
+
+  /// [s] See ForceLaw::longestStep; mass [kg]: the reduced mass.
+  double longestStep(const ContactParameters& c, double mass, double precision) const;
+
   /// k δᵖ (1 + d δ') or 0  [N]
   double force(const ContactParameters& c) const {
     return clipped ? 0 : c.stiffness * oddPower(depth, c.exponent) * (1 + c.dissipation * rate);

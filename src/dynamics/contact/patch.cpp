@@ -10,14 +10,6 @@ using Eigen::Vector2d;
 
 Vector2d pair(const double* own) { return {own[0], own[1]}; }
 
-/// δ, or, exactly touching, a number of the sign that δ has next: a body at rest on a plane
-/// touches it.
-double touchGuard(const NormalPoint& point) {
-  constexpr double kTiny = 1e-300;
-  if (point.depth != 0) return point.depth;
-  return point.rate >= 0 ? kTiny : -kTiny;
-}
-
 }  // namespace
 
 Patch::Patch(const Feature& feature, const ContactParameters& parameters, double mass)
@@ -177,24 +169,13 @@ double Patch::rate(const Pose& pose, const double* own) const {
   return std::max({fastest, swing, damping * mobility + rolling_.damping * turning});
 }
 
-// The force rises as t^p from a touch on, and falls so towards a release. Where p is not 1, no
-// estimate of a step that begins or ends there can be believed: steps grow with the time since, and
-// shrink with the time until then. The shortest are those over which the force brings about,
-// k |δ'|^p h^(p+1), less than the precision of the momentum m |δ'|.
 double Patch::longestStep(const Pose& pose, const double* own, double precision) const {
-  constexpr double kApproach = 0.7;
   double longest = std::numeric_limits<double>::infinity();
-  if (c_.exponent == 1 || !touches(modeOf(own))) return longest;
+  if (!touches(modeOf(own))) return longest;
   const Now at = now(pose, own);
-  for (std::size_t j = 0; j < at.count; ++j) {
-    const NormalPoint& point = at.point[j];
-    const double speed = std::abs(point.rate);
-    if (!(at.mode & (kTouches << j)) || !(speed > 0)) continue;
-    const double first = std::pow(
-        precision * mass_ * std::pow(speed, 1 - c_.exponent) / c_.stiffness, 1 / (c_.exponent + 1));
-    const double part = point.rate > 0 ? 1 : kApproach;
-    longest = std::min(longest, std::max(first, part * point.depth / speed));
-  }
+  for (std::size_t j = 0; j < at.count; ++j)
+    if (at.mode & (kTouches << j))
+      longest = std::min(longest, at.point[j].longestStep(c_, mass_, precision));
   return longest;
 }
 
@@ -203,7 +184,7 @@ void Patch::setGuards(const Pose& pose, const double* own, double* guards) const
   std::fill_n(guards, guardCount(), 1.0);
   for (std::size_t j = 0; j < at.count; ++j) {
     const bool touching = (at.mode & (kTouches << j)) != 0;
-    guards[2 * j] = touching ? touchGuard(at.point[j]) : -touchGuard(at.point[j]);
+    guards[2 * j] = touching ? at.point[j].touchGuard() : -at.point[j].touchGuard();
     const double push = 1 + c_.dissipation * at.point[j].rate;
     if (touching) guards[2 * j + 1] = at.point[j].clipped ? -push : push;
   }

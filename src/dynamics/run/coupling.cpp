@@ -63,6 +63,37 @@ class Linker {
   std::vector<std::size_t> parent_;         // index by index
 };
 
+/// Those of the near laws of which a body has to be integrated: because it is acted on, or linked
+/// with such a body by another near law.
+template <class Acts>
+std::vector<std::size_t> linkingNear(const World& world, const LawTable& laws,
+                                     const std::vector<WrenchSchedule>& schedules,
+                                     const std::set<std::size_t>& near, const Acts& acts) {
+  std::set<std::size_t> integrated;
+  const auto isIntegrated = [&](std::size_t body) {
+    const std::vector<std::size_t>& of_body = laws.of(body);
+    return world.solver.integrator != "auto" || integrated.count(body) > 0 ||
+           !schedules[body].allHeld() || std::any_of(of_body.begin(), of_body.end(), acts);
+  };
+  std::vector<std::size_t> linking;
+  std::set<std::size_t> rest = near;
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (auto law = rest.begin(); law != rest.end();) {
+      const std::vector<std::size_t> members = world.laws[*law]->members();
+      if (std::none_of(members.begin(), members.end(), isIntegrated)) {
+        ++law;
+        continue;
+      }
+      integrated.insert(members.begin(), members.end());
+      linking.push_back(*law);
+      law = rest.erase(law);
+      grows = true;
+    }
+  }
+  return linking;
+}
+
 /// Adds the contacts between the group's bodies that do not act.
 void addWaiting(const World& world, const LawTable& laws, const std::vector<double>& law_states,
                 CoupledBodies& group) {
@@ -112,19 +143,25 @@ std::vector<double> LawTable::start(const World& world) const {
 std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& laws,
                                          const std::vector<double>& law_states,
                                          const std::vector<WrenchSchedule>& schedules,
-                                         const std::vector<std::size_t>& bodies) {
+                                         const std::vector<std::size_t>& bodies,
+                                         const std::set<std::size_t>& near) {
+  const auto acts = [&](std::size_t law) {
+    return world.laws[law]->acts(law_states.data() + laws.firstState(law));
+  };
   Linker linker(bodies);
   std::vector<std::size_t> acting;
   for (std::size_t body : bodies) {
     for (std::size_t law : laws.of(body)) {
       const std::vector<std::size_t> members = world.laws[law]->members();
       const bool is_first = members.front() == body;
-      if (!is_first || !world.laws[law]->acts(law_states.data() + laws.firstState(law))) continue;
+      if (!is_first || !acts(law)) continue;
       acting.push_back(law);
       linker.link(members);
     }
     for (const PointWrench& wrench : schedules[body].active()) linker.link(bodiesOf(wrench));
   }
+  for (std::size_t law : linkingNear(world, laws, schedules, near, acts))
+    linker.link(world.laws[law]->members());
   std::sort(acting.begin(), acting.end());
   acting.erase(std::unique(acting.begin(), acting.end()), acting.end());
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/world.hpp>
@@ -52,11 +53,13 @@ class LawTable {
 };
 
 /// Groups those bodies that the laws and wrenches which act now link with one another. bodies: all
-/// that move, or some that nothing else is linked with. law_states: State::laws.
+/// that move, or some that nothing else is linked with. law_states: State::laws. near: laws that
+/// may begin to act at any moment; they link, too, where their bodies have to be integrated anyway.
 std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& laws,
                                          const std::vector<double>& law_states,
                                          const std::vector<WrenchSchedule>& schedules,
-                                         const std::vector<std::size_t>& bodies);
+                                         const std::vector<std::size_t>& bodies,
+                                         const std::set<std::size_t>& near = {});
 
 /// What an integrator must support to advance the group (Need); that of contacts that do not act
 /// counts where it has to be integrated anyway.

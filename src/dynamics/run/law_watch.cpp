@@ -85,6 +85,14 @@ std::optional<double> LawWatch::sampledEvent(double t, double t_end, const doubl
   return firstBelowAfter(before, after, own, motion);
 }
 
+double LawWatch::quietInFlight(double t, const double* own, const Motion& motion,
+                               const Bound& bound) const {
+  std::vector<MotionBound> bounds;
+  for (std::size_t body : members_) bounds.push_back(*bound(body));
+  const std::vector<BodyState> now = statesAt(t, motion);
+  return compact_law_->quietInFlight(t, {bodies_, now, own}, bounds);
+}
+
 /// By halves, to rounding; a guard is below zero at `after`.
 double LawWatch::firstBelowAfter(double before, double after, const double* own,
                                  const Motion& motion) const {

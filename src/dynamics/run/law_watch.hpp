@@ -36,6 +36,9 @@ class LawWatch {
   std::optional<double> firstEvent(double t, double t_end, const double* own, const Motion& motion,
                                    const Bound& bound);
 
+  /// The same as ForceLaw::quietInFlight, the law and the bounds by the members.
+  double quietInFlight(double t, const double* own, const Motion& motion, const Bound& bound) const;
+
   /// Switches the modes at an event, and adds touches and releases of contacts to `events`.
   void switchModes(double t, double* own, const Motion& motion,
                    std::vector<ContactEvent>& events) const;

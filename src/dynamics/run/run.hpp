@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
@@ -87,9 +88,13 @@ class Run {
   bool isWatched(const LawWatch& watch) const;
   struct WatchedEvent {
     LawWatch* watch;
-    double t;  // [s]
+    double t;            // [s]
+    bool links = false;  // its bodies, and does not act yet
   };
   std::optional<WatchedEvent> firstWatchedEvent(double t_end);
+  bool isSolved(const LawWatch& watch) const;
+  bool isNear(const LawWatch& watch, double t, double t_end) const;
+  void partFromNear(double t_end);
   template <class... Meter>
   void stepMetered(Meter&... meter);
   template <class... Meter>
@@ -131,6 +136,7 @@ class Run {
   std::vector<std::size_t> member_of_;  // body -> index among the members of its group; likewise
   double next_link_ = kNever;           // [s] when wrenches link or part
   double watch_from_ = kNever;          // [s] when laws may begin or cease to act
+  std::set<std::size_t> near_;  // contacts that link bodies without acting; of the present step
   std::vector<ContactEvent> contact_events_;
   std::int64_t contact_events_step_ = 0;  // the step at the end of which they hold
   Step step_;

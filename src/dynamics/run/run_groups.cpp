@@ -64,6 +64,7 @@ void Run::place(const State& start, bool scheduled) {
   for (WrenchSchedule& schedule : schedules_) schedule.advanceTo(time_);
   law_states_ = start.laws.empty() ? laws_.start(*world_) : start.laws;
   contact_events_.clear();
+  near_.clear();
   if (start.laws.empty()) startContacts(laws_.contacts(), start.bodies);
   max_substeps_ = 1;
   evaluations_ = 0;
@@ -141,7 +142,8 @@ void Run::regroup(const std::vector<std::size_t>& bodies, double t, bool anew) {
   }
   std::sort(all.begin(), all.end());
   std::vector<Group> formed;
-  for (const CoupledBodies& linked : coupledBodies(*world_, laws_, law_states_, schedules_, all)) {
+  for (const CoupledBodies& linked :
+       coupledBodies(*world_, laws_, law_states_, schedules_, all, near_)) {
     const MethodChoice choice = planner_.later(*world_, linked, schedules_);
     const std::size_t g = group_of_[linked.members[0]];
     const bool same = groups_[g].bodies() == linked;

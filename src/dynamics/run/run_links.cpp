@@ -81,9 +81,14 @@ std::optional<Run::WatchedEvent> Run::firstWatchedEvent(double t_end) {
     for (std::size_t body : watch.members()) from = std::max(from, groups_[group_of_[body]].time());
     if (!(from < until)) continue;
     const double* own = law_states_.data() + watch.firstState();
+    if (!isSolved(watch)) {
+      if (watch.members().size() > 1 && isNear(watch, from, until))
+        first = WatchedEvent{&watch, from, true};
+      if (watch.members().size() > 1) continue;
+    }
     try {
       if (const std::optional<double> t = watch.firstEvent(from, until, own, motion, bound))
-        first = {&watch, *t};
+        first = WatchedEvent{&watch, *t};
     } catch (const StepTooLong& reason) {
       throw SimulationDiverged(from, world_->bodies[watch.members().front()].name, reason.what());
     }
@@ -98,6 +103,7 @@ void Run::advanceLinking(double t_end, Meter&... meter) {
   step_.law_states = lawStates();
   contact_events_.clear();
   contact_events_step_ = steps_ + 1;
+  partFromNear(t_end);
   constexpr int kMaxLinks = 100000;
   for (int links = 0;; ++links) {
     if (links == kMaxLinks)
@@ -107,6 +113,11 @@ void Run::advanceLinking(double t_end, Meter&... meter) {
     const double limit = std::min(t_end, next_link_);
     if (const std::optional<WatchedEvent> event = firstWatchedEvent(limit)) {
       advanceTo(event->t, t_end, event->watch->members(), meter...);
+      if (event->links) {
+        near_.insert(event->watch->law());
+        regroup(event->watch->members(), event->t);
+        continue;
+      }
       event->watch->switchModes(
           event->t, law_states_.data() + event->watch->firstState(),
           [this](std::size_t body, double t) { return bodyAt(body, t); }, contact_events_);

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "support/contact_benches.hpp"
+
+/// Touches out of free flight.
+namespace rigid_body_sim {
+namespace {
+
+using test::Bench;
+using test::contactOf;
+using test::motionAt;
+
+constexpr double kGravity = 9.81;
+
+TEST(BouncingBall, TouchesAtItsInstantsWhateverTheStep) {
+  // falls h, then bounces for 2 v/g at a time, and for the duration of the contact
+  constexpr double kHeight = 1, k = 1e7;
+  for (double step : {1e-3, 0.07, 1.5}) {
+    Bench bench;
+    bench.world.g_W = {0, 0, -kGravity};
+    test::addBall(bench, 0.1, 1, motionAt({0, 0, 0.1 + kHeight}), HalfSpace{},
+                  contactOf(k, 1, 0, 0));
+    Simulation sim = test::simulationAt(bench, 1e-10, step);
+    EXPECT_TRUE(sim.plans()[0].integrator.empty());
+    std::vector<ContactEvent> events;
+    while (sim.time() < 3) {
+      sim.step();
+      events.insert(events.end(), sim.contactEvents().begin(), sim.contactEvents().end());
+    }
+    const double w = std::sqrt(k), v = std::sqrt(2 * kGravity * kHeight);
+    // half a swing about the depth at rest, m g/k, and the two pieces beside it
+    const double contact = (M_PI + 2 * std::atan(kGravity / (w * v))) / w;
+    ASSERT_GE(events.size(), 6u) << step;
+    double expected = v / kGravity;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      EXPECT_NEAR(events[i].t, expected, 1e-11) << step << ' ' << i;
+      EXPECT_EQ(events[i].touch, i % 2 == 0);
+      expected += i % 2 == 0 ? contact : 2 * v / kGravity;
+    }
+  }
+}
+
+TEST(BouncingBall, KeepsItsEnergyOverAThousandBounces) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -kGravity};
+  test::addBall(bench, 0.1, 1, motionAt({0, 0, 0.6}), HalfSpace{}, contactOf(1e6, 1, 0, 0));
+  Simulation sim = test::simulationAt(bench, 1e-10, 0.05);
+  const double start = mechanicalEnergy(sim.world(), sim.state());
+  for (int touches = 0; touches < 1000;) {
+    sim.step();
+    for (const ContactEvent& event : sim.contactEvents()) touches += event.touch;
+  }
+  EXPECT_NEAR(mechanicalEnergy(sim.world(), sim.state()) / start, 1, 1e-12);
+}
+
+/// A point of a body of three equal moments, which turns uniformly as it flies: its height is known
+/// in closed form.
+struct Graze {
+  double h, z, v, w, phase;  ///< step [s], height [m], speed [m/s], spin [rad/s], [rad]
+
+  static constexpr double kArm = 0.2;
+  double gap(double t) const {
+    return z + v * t - 0.5 * kGravity * t * t - kArm * std::cos(phase + w * t);
+  }
+  /// The lowest place within the step, by samples and then by halving the slope's bracket.
+  double lowest() const {
+    const int samples = 100 + static_cast<int>(40 * w * h);
+    int best = 0;
+    for (int i = 1; i <= samples; ++i)
+      if (gap(i * h / samples) < gap(best * h / samples)) best = i;
+    double low = std::max(0, best - 1) * h / samples,
+           high = std::min(samples, best + 1) * h / samples;
+    const auto slope = [this](double t) {
+      return v - kGravity * t + kArm * w * std::sin(phase + w * t);
+    };
+    for (int i = 0; i < 200; ++i) {
+      const double middle = 0.5 * (low + high);
+      (slope(middle) < 0 ? low : high) = middle;
+    }
+    return low;
+  }
+
+  /// Touches of a plane in a step over it.
+  int touches(double plane) const {
+    Bench bench;
+    bench.world.g_W = {0, 0, -kGravity};
+    BodyFrameMotion motion = motionAt({0, 0, z}, {0.3, 0, v}, {0, w, 0});
+    motion.q_WB = rotationExp(Vector3d(0, phase, 0));
+    bench.add(test::principalBody("body", 1, {0.01, 0.01, 0.01}), motion);
+    ContactShape shape;
+    shape.points.push_back({0, 0, -kArm});
+    HalfSpace below;
+    below.origin_W.z() = plane;
+    bench.world.laws.push_back(
+        contactWithHalfSpace(bench.world.bodies, 0, shape, below, contactOf(1e3, 1, 0, 0)));
+    Simulation sim = bench.simulation("auto", h);
+    sim.step();
+    int count = 0;
+    for (const ContactEvent& event : sim.contactEvents()) count += event.touch;
+    return count;
+  }
+};
+
+// Each flight over a plane that it dips into by 1e-10 m, and one that it misses by as much.
+TEST(Flight, MissesNoGrazeAtAnyStep) {
+  std::mt19937 random(20);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  int tried = 0, missed = 0, invented = 0;
+  while (tried < 10000) {
+    Graze graze{};
+    graze.h = std::pow(10.0, -3 + 4 * uniform(random));
+    graze.w = std::min(300.0, 100 * uniform(random) / graze.h);
+    graze.v = 6 * uniform(random) * (2 * uniform(random) - 1) * std::min(1.0, graze.h);
+    graze.z = 1;
+    graze.phase = 2 * M_PI * uniform(random);
+    const double t = graze.lowest(), gap = graze.gap(t);
+    // inside the step, and not where it starts
+    if (t < 1e-3 * graze.h || t > 0.999 * graze.h || graze.gap(0) - gap < 1e-6) continue;
+    ++tried;
+    missed += graze.touches(gap + 1e-10) == 0;
+    invented += graze.touches(gap - 1e-10) != 0;
+  }
+  EXPECT_EQ(missed, 0);
+  EXPECT_EQ(invented, 0);
+}
+
+// Far away, a ground costs a body nothing that it would not spend without.
+TEST(Flight, StaysSolvedAboveAGround) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -kGravity};
+  test::addBox(bench, {0.1, 0.2, 0.3}, 1, motionAt({0, 0, 2}, {1, 0, 5}, {3, 2, 1}), HalfSpace{},
+               contactOf(1e5, 1.5, 0.3, 0.5));
+  Simulation sim = bench.simulation("auto", 1e-3);
+  while (sim.time() < 1.2) sim.step();
+  EXPECT_EQ(sim.evaluations(), 0);
+  Bench free = bench;
+  free.world.laws.clear();
+  Simulation alone = free.simulation("auto", 1e-3);
+  while (alone.time() < 1.2) alone.step();
+  EXPECT_EQ(sim.body(0).x_W, alone.body(0).x_W);
+  EXPECT_EQ(sim.body(0).q_WP.coeffs(), alone.body(0).q_WP.coeffs());
+}
+
+TEST(Touch, IsThatOfABodyAtRestExactlyOnThePlane) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -kGravity};
+  test::addBall(bench, 0.5, 2, motionAt({0, 0, 0.5}), HalfSpace{}, contactOf(1e4, 1, 0, 0));
+  Simulation sim = bench.simulation("auto", 1e-3);
+  ASSERT_EQ(sim.contactEvents().size(), 1u);
+  EXPECT_TRUE(sim.contactEvents()[0].touch);
+  while (sim.time() < 0.1) sim.step();
+  const double w = std::sqrt(1e4 / 2.0), sag = 2 * kGravity / 1e4;
+  EXPECT_NEAR(sim.body(0).x_W.z() + sim.body(0).x_low_W.z(),
+              0.5 - sag * (1 - std::cos(w * sim.time())), 1e-11);
+}
+
+TEST(Touch, HoldsForABodyThatStartsInThePlane) {
+  constexpr double kDepth = 0.01;
+  Bench bench;
+  test::addBall(bench, 0.5, 2, motionAt({0, 0, 0.5 - kDepth}), HalfSpace{},
+                contactOf(1e4, 1.5, 0, 0.3));
+  Simulation sim = bench.simulation("auto", 1e-3);
+  while (sim.time() < 0.5) sim.step();
+  // all of its energy ends in the flight
+  const double v = std::sqrt(2 * 1e4 * std::pow(kDepth, 2.5) / 2.5 / 2);
+  EXPECT_NEAR(sim.body(0).p_W.z() / 2, v, 1e-10);
+}
+
+TEST(Touch, StartsAnewWhereAStateIsSet) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -kGravity};
+  test::addBall(bench, 0.1, 1, motionAt({0, 0, 1}), HalfSpace{}, contactOf(1e5, 1, 0, 0.5));
+  Simulation sim = bench.simulation("auto", 1e-2);
+  while (sim.time() < 0.1) sim.step();
+  EXPECT_TRUE(contactsOf(sim.world(), sim.state()).empty());
+  sim.setState(0, toBodyState(sim.world().bodies[0], motionAt({0, 0, 0.1 - 1e-4}, {1, 0, 0})));
+  ASSERT_EQ(contactsOf(sim.world(), sim.state()).size(), 1u);
+  EXPECT_NEAR(contactsOf(sim.world(), sim.state())[0].normal_force_W.z(), 10, 1e-9);
+  sim.step();
+  EXPECT_GT(sim.evaluations(), 0);
+  sim.setState(0, toBodyState(sim.world().bodies[0], motionAt({0, 0, 2})));
+  EXPECT_TRUE(contactsOf(sim.world(), sim.state()).empty());
+  const std::int64_t evaluations = sim.evaluations();
+  sim.step();
+  EXPECT_EQ(sim.evaluations(), evaluations);
+}
+
+}  // namespace
+}  // namespace rigid_body_sim

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include <rigid_body_sim/dynamics/contact.hpp>
+#include <rigid_body_sim/mass/shapes.hpp>
+
+#include "support/worlds.hpp"
+
+/// Bodies that touch planes and one another.
+namespace rigid_body_sim::test {
+
+inline ContactShape ballShape(double radius) {
+  ContactShape shape;
+  shape.balls.push_back({Vector3d::Zero(), radius});
+  return shape;
+}
+
+/// The corners of a box, in axes in which its principal axes are its own.
+inline ContactShape cornersOf(const Body& body, const Vector3d& size) {
+  ContactShape shape;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    shape.points.push_back(body.X_BP.inverse() * Vector3d(0.5 * signs.cwiseProduct(size)));
+  }
+  return shape;
+}
+
+inline ContactParameters contactOf(double stiffness, double exponent, double dissipation,
+                                   double friction) {
+  ContactParameters parameters;
+  parameters.stiffness = stiffness;
+  parameters.exponent = exponent;
+  parameters.dissipation = dissipation;
+  parameters.friction = friction;
+  return parameters;
+}
+
+/// A plane through the origin that falls off along x by an angle [rad].
+inline HalfSpace slope(double angle) {
+  HalfSpace plane;
+  plane.q_WH = rotationExp(Vector3d(0, angle, 0));
+  return plane;
+}
+
+/// Adds a ball and its contact with a plane; its motion is of its centre.
+inline std::size_t addBall(Bench& bench, double radius, double mass, const BodyFrameMotion& motion,
+                           const HalfSpace& plane, const ContactParameters& parameters) {
+  const std::string name = "ball" + std::to_string(bench.world.bodies.size());
+  const std::size_t ball = bench.add(makeBody(name, massProperties(Sphere{radius}, mass)), motion);
+  bench.world.laws.push_back(
+      contactWithHalfSpace(bench.world.bodies, ball, ballShape(radius), plane, parameters));
+  return ball;
+}
+
+/// The same of a box by its corners.
+inline std::size_t addBox(Bench& bench, const Vector3d& size, double mass,
+                          const BodyFrameMotion& motion, const HalfSpace& plane,
+                          const ContactParameters& parameters) {
+  const std::string name = "box" + std::to_string(bench.world.bodies.size());
+  const std::size_t box = bench.add(makeBody(name, massProperties(Box{size}, mass)), motion);
+  const ContactShape corners = cornersOf(bench.world.bodies[box], size);
+  bench.world.laws.push_back(
+      contactWithHalfSpace(bench.world.bodies, box, corners, plane, parameters));
+  return box;
+}
+
+inline BodyFrameMotion motionAt(const Vector3d& x_W, const Vector3d& v_W = Vector3d::Zero(),
+                                const Vector3d& w_W = Vector3d::Zero()) {
+  BodyFrameMotion motion;
+  motion.x_W = x_W;
+  motion.v_W = v_W;
+  motion.w_W = w_W;
+  return motion;
+}
+
+/// With auto, at a stated tolerance.
+inline Simulation simulationAt(Bench bench, double tolerance, double time_step) {
+  bench.world.solver.tolerance = tolerance;
+  bench.world.solver.tolerance_stated = true;
+  return bench.simulation("auto", time_step);
+}
+
+}  // namespace rigid_body_sim::test
