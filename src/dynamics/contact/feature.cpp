@@ -14,7 +14,9 @@ void require(bool holds, const std::string& body, const char* rule) {
 bool isPositive(double x) { return x > 0 && std::isfinite(x); }
 
 /// The four points of a rim. Its depth as a function of the tilt has a kink where the rim lies
-/// flat; the sum over an even number of points has none.
+/// flat; the sum over an even number of points has none. Those beside the lowest stay as deep as
+/// the centre, however the body spins: with the rate of the body's material there, a spin would be
+/// fed into the tilt, as by the damping inside of a rotor.
 PlanePoints rimPoints(const Feature& rim, const Quaterniond& q_WP, const Vector3d& n_W) {
   const Vector3d a = rotate(q_WP, rim.axis_P), c = rotate(q_WP, rim.center_P);
   Vector3d down = n_W.dot(a) * a - n_W;
@@ -23,7 +25,8 @@ PlanePoints rimPoints(const Feature& rim, const Quaterniond& q_WP, const Vector3
   const Vector3d side = a.cross(down);
   const double R = rim.radius, height = n_W.dot(c);
   return {{c + R * down, c + R * side, c - R * side, c - R * down},
-          {height - R * tilt, height, height, height + R * tilt}};
+          {height - R * tilt, height, height, height + R * tilt},
+          {c + R * down, c, c, c - R * down}};
 }
 
 }  // namespace
@@ -67,11 +70,10 @@ std::vector<Feature> featuresOf(const ContactShape& shape, const std::string& bo
 }
 
 PlanePoints planePoints(const Feature& feature, const Quaterniond& q_WP, const Vector3d& n_W) {
-  PlanePoints points;
   const Vector3d c = rotate(q_WP, feature.center_P);
+  PlanePoints points{{c, c, c, c}, {}, {c, c, c, c}};
   switch (feature.kind) {
     case Feature::Kind::kPoint:
-      points.arm_W[0] = c;
       points.height[0] = n_W.dot(c);
       break;
     case Feature::Kind::kBall:
@@ -89,6 +91,7 @@ PlanePoints planePoints(const Feature& feature, const Quaterniond& q_WP, const V
     case Feature::Kind::kRim:
       return rimPoints(feature, q_WP, n_W);
   }
+  points.rate_arm_W[0] = points.arm_W[0];
   return points;
 }
 

@@ -34,8 +34,9 @@ std::vector<Feature> featuresOf(const ContactShape& shape, const std::string& bo
 /// Where a feature touches a plane: its deepest point; of a rim the lowest, the two beside, and the
 /// highest.
 struct PlanePoints {
-  std::array<Vector3d, 4> arm_W;  ///< [m] from the centre of mass
-  std::array<double, 4> height;   ///< [m] n · arm, without the rounding of the product
+  std::array<Vector3d, 4> arm_W;       ///< [m] from the centre of mass
+  std::array<double, 4> height;        ///< [m] n · arm, without the rounding of the product
+  std::array<Vector3d, 4> rate_arm_W;  ///< [m] of a point of the body that sinks as fast as it
 };
 
 /// n_W: the normal of the plane, unit.

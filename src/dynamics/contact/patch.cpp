@@ -44,7 +44,7 @@ Patch::Now Patch::now(const Pose& pose, const double* own) const {
     now.arm_W[j] = points.arm_W[j];
     // the large parts first: near a touch they cancel, and the small one keeps its digits
     now.point[j].depth = -(pose.height + points.height[j]) - pose.height_low;
-    now.point[j].rate = -pose.n_W.dot(pose.v_W + pose.w_W.cross(points.arm_W[j]));
+    now.point[j].rate = -pose.n_W.dot(pose.v_W + pose.w_W.cross(points.rate_arm_W[j]));
     now.point[j].clipped = (now.mode & (kClips << j)) != 0;
     if (now.mode & (kTouches << j)) now.normal += now.point[j].force(c_);
   }

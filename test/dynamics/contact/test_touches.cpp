@@ -14,16 +14,15 @@ using test::Bench;
 using test::contactOf;
 using test::motionAt;
 
-constexpr double kGravity = 9.81;
+constexpr double kFall = 9.81;  // [m/s²]
 
 TEST(BouncingBall, TouchesAtItsInstantsWhateverTheStep) {
   // falls h, then bounces for 2 v/g at a time, and for the duration of the contact
-  constexpr double kHeight = 1, k = 1e7;
+  constexpr double kDrop = 1, k = 1e7;
   for (double step : {1e-3, 0.07, 1.5}) {
     Bench bench;
-    bench.world.g_W = {0, 0, -kGravity};
-    test::addBall(bench, 0.1, 1, motionAt({0, 0, 0.1 + kHeight}), HalfSpace{},
-                  contactOf(k, 1, 0, 0));
+    bench.world.g_W = {0, 0, -kFall};
+    test::addBall(bench, 0.1, 1, motionAt({0, 0, 0.1 + kDrop}), HalfSpace{}, contactOf(k, 1, 0, 0));
     Simulation sim = test::simulationAt(bench, 1e-10, step);
     EXPECT_TRUE(sim.plans()[0].integrator.empty());
     std::vector<ContactEvent> events;
@@ -31,22 +30,22 @@ TEST(BouncingBall, TouchesAtItsInstantsWhateverTheStep) {
       sim.step();
       events.insert(events.end(), sim.contactEvents().begin(), sim.contactEvents().end());
     }
-    const double w = std::sqrt(k), v = std::sqrt(2 * kGravity * kHeight);
+    const double w = std::sqrt(k), v = std::sqrt(2 * kFall * kDrop);
     // half a swing about the depth at rest, m g/k, and the two pieces beside it
-    const double contact = (M_PI + 2 * std::atan(kGravity / (w * v))) / w;
+    const double contact = (M_PI + 2 * std::atan(kFall / (w * v))) / w;
     ASSERT_GE(events.size(), 6u) << step;
-    double expected = v / kGravity;
+    double expected = v / kFall;
     for (std::size_t i = 0; i < events.size(); ++i) {
       EXPECT_NEAR(events[i].t, expected, 1e-11) << step << ' ' << i;
       EXPECT_EQ(events[i].touch, i % 2 == 0);
-      expected += i % 2 == 0 ? contact : 2 * v / kGravity;
+      expected += i % 2 == 0 ? contact : 2 * v / kFall;
     }
   }
 }
 
 TEST(BouncingBall, KeepsItsEnergyOverAThousandBounces) {
   Bench bench;
-  bench.world.g_W = {0, 0, -kGravity};
+  bench.world.g_W = {0, 0, -kFall};
   test::addBall(bench, 0.1, 1, motionAt({0, 0, 0.6}), HalfSpace{}, contactOf(1e6, 1, 0, 0));
   Simulation sim = test::simulationAt(bench, 1e-10, 0.05);
   const double start = mechanicalEnergy(sim.world(), sim.state());
@@ -64,22 +63,30 @@ struct Graze {
 
   static constexpr double kArm = 0.2;
   double gap(double t) const {
-    return z + v * t - 0.5 * kGravity * t * t - kArm * std::cos(phase + w * t);
+    return z + v * t - 0.5 * kFall * t * t - kArm * std::cos(phase + w * t);
   }
-  /// The lowest place within the step, by samples and then by halving the slope's bracket.
+  /// The lowest place within the step: near each sample that is lower than its neighbours and may
+  /// lead to the lowest of all, by halving the slope's bracket.
   double lowest() const {
-    const int samples = 100 + static_cast<int>(40 * w * h);
-    int best = 0;
-    for (int i = 1; i <= samples; ++i)
-      if (gap(i * h / samples) < gap(best * h / samples)) best = i;
-    double low = std::max(0, best - 1) * h / samples,
-           high = std::min(samples, best + 1) * h / samples;
-    const auto slope = [this](double t) {
-      return v - kGravity * t + kArm * w * std::sin(phase + w * t);
-    };
-    for (int i = 0; i < 200; ++i) {
-      const double middle = 0.5 * (low + high);
-      (slope(middle) < 0 ? low : high) = middle;
+    const int samples = 100 + static_cast<int>(8 * w * h);
+    const auto at = [&](int i) { return gap(i * h / samples); };
+    const double bend = kFall + kArm * w * w, spacing = h / samples;
+    double least = at(0);
+    for (int i = 1; i <= samples; ++i) least = std::min(least, at(i));
+    double best = at(0) < at(samples) ? 0 : h;
+    for (int i = 1; i < samples; ++i) {
+      if (at(i) > least + bend * spacing * spacing || at(i) > at(i - 1) || at(i) > at(i + 1))
+        continue;
+      const double t = lowestBetween((i - 1) * spacing, (i + 1) * spacing);
+      if (gap(t) < gap(best)) best = t;
+    }
+    return best;
+  }
+  double lowestBetween(double low, double high) const {
+    for (int i = 0; i < 100; ++i) {
+      const double t = 0.5 * (low + high);
+      const double slope = v - kFall * t + kArm * w * std::sin(phase + w * t);
+      (slope < 0 ? low : high) = t;
     }
     return low;
   }
@@ -87,7 +94,7 @@ struct Graze {
   /// Touches of a plane in a step over it.
   int touches(double plane) const {
     Bench bench;
-    bench.world.g_W = {0, 0, -kGravity};
+    bench.world.g_W = {0, 0, -kFall};
     BodyFrameMotion motion = motionAt({0, 0, z}, {0.3, 0, v}, {0, w, 0});
     motion.q_WB = rotationExp(Vector3d(0, phase, 0));
     bench.add(test::principalBody("body", 1, {0.01, 0.01, 0.01}), motion);
@@ -131,7 +138,7 @@ TEST(Flight, MissesNoGrazeAtAnyStep) {
 // Far away, a ground costs a body nothing that it would not spend without.
 TEST(Flight, StaysSolvedAboveAGround) {
   Bench bench;
-  bench.world.g_W = {0, 0, -kGravity};
+  bench.world.g_W = {0, 0, -kFall};
   test::addBox(bench, {0.1, 0.2, 0.3}, 1, motionAt({0, 0, 2}, {1, 0, 5}, {3, 2, 1}), HalfSpace{},
                contactOf(1e5, 1.5, 0.3, 0.5));
   Simulation sim = bench.simulation("auto", 1e-3);
@@ -147,13 +154,13 @@ TEST(Flight, StaysSolvedAboveAGround) {
 
 TEST(Touch, IsThatOfABodyAtRestExactlyOnThePlane) {
   Bench bench;
-  bench.world.g_W = {0, 0, -kGravity};
+  bench.world.g_W = {0, 0, -kFall};
   test::addBall(bench, 0.5, 2, motionAt({0, 0, 0.5}), HalfSpace{}, contactOf(1e4, 1, 0, 0));
   Simulation sim = bench.simulation("auto", 1e-3);
   ASSERT_EQ(sim.contactEvents().size(), 1u);
   EXPECT_TRUE(sim.contactEvents()[0].touch);
   while (sim.time() < 0.1) sim.step();
-  const double w = std::sqrt(1e4 / 2.0), sag = 2 * kGravity / 1e4;
+  const double w = std::sqrt(1e4 / 2.0), sag = 2 * kFall / 1e4;
   EXPECT_NEAR(sim.body(0).x_W.z() + sim.body(0).x_low_W.z(),
               0.5 - sag * (1 - std::cos(w * sim.time())), 1e-11);
 }
@@ -172,7 +179,7 @@ TEST(Touch, HoldsForABodyThatStartsInThePlane) {
 
 TEST(Touch, StartsAnewWhereAStateIsSet) {
   Bench bench;
-  bench.world.g_W = {0, 0, -kGravity};
+  bench.world.g_W = {0, 0, -kFall};
   test::addBall(bench, 0.1, 1, motionAt({0, 0, 1}), HalfSpace{}, contactOf(1e5, 1, 0, 0.5));
   Simulation sim = bench.simulation("auto", 1e-2);
   while (sim.time() < 0.1) sim.step();
