@@ -10,7 +10,7 @@
 namespace rigid_body_sim {
 namespace {
 
-void requireMoving(const std::vector<Body>& bodies, std::size_t body) {
+void requireThatMoves(const std::vector<Body>& bodies, std::size_t body) {
   if (body >= bodies.size())
     throw std::invalid_argument("contact: no body has the index " + std::to_string(body));
   if (bodies[body].fixed)
@@ -25,7 +25,7 @@ std::shared_ptr<const ForceLaw> contactWithHalfSpace(const std::vector<Body>& bo
                                                      const HalfSpace& plane,
                                                      const ContactParameters& parameters) {
   checkParameters(parameters);
-  requireMoving(bodies, body);
+  requireThatMoves(bodies, body);
   const std::string name = "contact of body '" + bodies[body].name + "': ";
   if (shape.empty()) throw std::invalid_argument(name + "it has no shape that could touch");
   if (!plane.origin_W.allFinite() || !isNearlyUnit(plane.q_WH))
@@ -39,7 +39,7 @@ std::shared_ptr<const ForceLaw> contactOfBalls(const std::vector<Body>& bodies, 
                                                const ContactShape& shape_b,
                                                const ContactParameters& parameters) {
   checkParameters(parameters);
-  requireMoving(bodies, a);
+  requireThatMoves(bodies, a);
   if (b >= bodies.size() || a == b)
     throw std::invalid_argument("contact: it takes two bodies, got the indices " +
                                 std::to_string(a) + " and " + std::to_string(b));

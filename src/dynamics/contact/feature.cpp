@@ -7,11 +7,11 @@
 namespace rigid_body_sim {
 namespace {
 
-void require(bool holds, const std::string& body, const char* rule) {
+void requireOfShape(bool holds, const std::string& body, const char* rule) {
   if (!holds) throw std::invalid_argument("contact of body '" + body + "': " + rule);
 }
 
-bool isPositive(double x) { return x > 0 && std::isfinite(x); }
+bool isPositiveLength(double x) { return x > 0 && std::isfinite(x); }
 
 /// The four points of a rim. Its depth as a function of the tilt has a kink where the rim lies
 /// flat; the sum over an even number of points has none. Those beside the lowest stay as deep as
@@ -40,15 +40,15 @@ std::vector<Feature> featuresOf(const ContactShape& shape, const std::string& bo
     features.back().center_P = point;
   }
   for (const ContactShape::Ball& ball : shape.balls) {
-    require(isPositive(ball.radius), body, "the radius of a ball must be > 0 m");
+    requireOfShape(isPositiveLength(ball.radius), body, "the radius of a ball must be > 0 m");
     features.emplace_back();
     features.back().kind = Feature::Kind::kBall;
     features.back().center_P = ball.center_P;
     features.back().radius = ball.radius;
   }
   for (const ContactShape::Ellipsoid& ellipsoid : shape.ellipsoids) {
-    require((ellipsoid.semi_axes.array() > 0).all() && ellipsoid.semi_axes.allFinite(), body,
-            "the semi-axes of an ellipsoid must be > 0 m");
+    requireOfShape((ellipsoid.semi_axes.array() > 0).all() && ellipsoid.semi_axes.allFinite(), body,
+                   "the semi-axes of an ellipsoid must be > 0 m");
     features.emplace_back();
     features.back().kind = Feature::Kind::kEllipsoid;
     features.back().center_P = ellipsoid.center_P;
@@ -56,8 +56,8 @@ std::vector<Feature> featuresOf(const ContactShape& shape, const std::string& bo
     features.back().semi_axes = ellipsoid.semi_axes;
   }
   for (const ContactShape::Rim& rim : shape.rims) {
-    require(isPositive(rim.radius), body, "the radius of a rim must be > 0 m");
-    require(isPositive(rim.axis_P.norm()), body, "the axis of a rim must not be zero");
+    requireOfShape(isPositiveLength(rim.radius), body, "the radius of a rim must be > 0 m");
+    requireOfShape(isPositiveLength(rim.axis_P.norm()), body, "the axis of a rim must not be zero");
     features.emplace_back();
     features.back().kind = Feature::Kind::kRim;
     features.back().center_P = rim.center_P;
@@ -65,7 +65,7 @@ std::vector<Feature> featuresOf(const ContactShape& shape, const std::string& bo
     features.back().radius = rim.radius;
   }
   for (const Feature& feature : features)
-    require(feature.center_P.allFinite(), body, "places of its shape must be finite");
+    requireOfShape(feature.center_P.allFinite(), body, "places of its shape must be finite");
   return features;
 }
 

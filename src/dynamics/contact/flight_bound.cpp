@@ -7,7 +7,7 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
 /// The root of a concave function that is not negative at 0, from below; infinity where there is
 /// none. Wherever it is positive on the right, it is positive in between.
@@ -18,7 +18,7 @@ double lastRoot(const F& gap, double guess) {
   while (gap(high) >= 0) {
     low = high;
     high *= 4;
-    if (high > kFar) return kInfinity;
+    if (high > kFar) return kNoEnd;
   }
   for (int i = 0; i < 100 && high - low > 1e-3 * high; ++i) {
     const double g_low = gap(low), g_high = gap(high);
@@ -38,7 +38,7 @@ double firstRoot(double gap, double speed, double acceleration) {
   // without cancellation
   const double root = std::sqrt(speed * speed - 2 * acceleration * gap);
   if (speed < 0) return 2 * gap / (root - speed);
-  return acceleration < 0 ? (speed + root) / -acceleration : kInfinity;
+  return acceleration < 0 ? (speed + root) / -acceleration : kNoEnd;
 }
 
 double turningBound(const Body& body, const BodyState& state, double torque, double duration) {
@@ -58,7 +58,7 @@ double turningBound(const Body& body, const BodyState& state, double torque, dou
 
 PlaneFlight::PlaneFlight(const Body& body, const BodyState& state, const HalfSpace& plane,
                          const MotionBound& bound)
-    : horizon_(kInfinity) {
+    : horizon_(kNoEnd) {
   const Vector3d n_W = rotate(plane.q_WH, Vector3d(Vector3d::UnitZ()));
   height_ = n_W.dot(state.x_W - plane.origin_W);
   low_ = n_W.dot(state.x_low_W);

@@ -8,7 +8,7 @@
 namespace rigid_body_sim {
 namespace {
 
-void require(bool holds, const char* rule, double got) {
+void requireConstant(bool holds, const char* rule, double got) {
   if (holds) return;
   std::ostringstream text;
   text.precision(17);
@@ -56,10 +56,10 @@ double speedRatioAt(double y) {
 }  // namespace
 
 double dissipationForRestitution(double e, double approach_speed) {
-  require(e > 0 && e <= 1, "restitution must be > 0 and <= 1 (0 would need infinite dissipation)",
-          e);
-  require(approach_speed > 0 && std::isfinite(approach_speed),
-          "the speed at which restitution is given must be > 0 m/s", approach_speed);
+  requireConstant(e > 0 && e <= 1,
+                  "restitution must be > 0 and <= 1 (0 would need infinite dissipation)", e);
+  requireConstant(approach_speed > 0 && std::isfinite(approach_speed),
+                  "the speed at which restitution is given must be > 0 m/s", approach_speed);
   if (e == 1) return 0;
   // e falls with y, from 1 at 0 to 1/y
   const auto off = [e](double y) {
@@ -94,12 +94,14 @@ double NormalPoint::longestStep(const ContactParameters& c, double mass, double 
 void checkParameters(const ContactParameters& c) {
   const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
   const auto notNegative = [](double x) { return x >= 0 && std::isfinite(x); };
-  require(positive(c.stiffness), "stiffness must be > 0 N/m^p", c.stiffness);
-  require(c.exponent >= 1 && std::isfinite(c.exponent), "exponent must be >= 1", c.exponent);
-  require(notNegative(c.dissipation), "dissipation must be >= 0 s/m", c.dissipation);
-  require(notNegative(c.friction), "friction must be >= 0", c.friction);
-  require(positive(c.breakaway), "breakaway must be > 0 m", c.breakaway);
-  require(notNegative(c.rolling_friction), "rolling_friction must be >= 0 m", c.rolling_friction);
+  requireConstant(positive(c.stiffness), "stiffness must be > 0 N/m^p", c.stiffness);
+  requireConstant(c.exponent >= 1 && std::isfinite(c.exponent), "exponent must be >= 1",
+                  c.exponent);
+  requireConstant(notNegative(c.dissipation), "dissipation must be >= 0 s/m", c.dissipation);
+  requireConstant(notNegative(c.friction), "friction must be >= 0", c.friction);
+  requireConstant(positive(c.breakaway), "breakaway must be > 0 m", c.breakaway);
+  requireConstant(notNegative(c.rolling_friction), "rolling_friction must be >= 0 m",
+                  c.rolling_friction);
 }
 
 }  // namespace rigid_body_sim

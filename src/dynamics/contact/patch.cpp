@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-Vector2d pair(const double* own) { return {own[0], own[1]}; }
+Vector2d planePair(const double* own) { return {own[0], own[1]}; }
 
 }  // namespace
 
@@ -71,7 +71,8 @@ void Patch::placeFriction(const Pose& pose, Now& now) const {
 }
 
 BristlePull<Vector2d> Patch::slide(const Now& now, const double* own) const {
-  return {bristle_, pair(own + kSlide), now.v, c_.friction * now.normal, (now.mode & kSlips) != 0};
+  return {bristle_, planePair(own + kSlide), now.v, c_.friction * now.normal,
+          (now.mode & kSlips) != 0};
 }
 
 BristlePull<Patch::Vector1d> Patch::spin(const Now& now, const double* own) const {
@@ -80,7 +81,7 @@ BristlePull<Patch::Vector1d> Patch::spin(const Now& now, const double* own) cons
 }
 
 BristlePull<Vector2d> Patch::roll(const Now& now, const double* own) const {
-  return {rolling_, pair(own + kRoll), now.roll, c_.rolling_friction * now.normal,
+  return {rolling_, planePair(own + kRoll), now.roll, c_.rolling_friction * now.normal,
           (now.mode & kRolls) != 0};
 }
 
@@ -127,9 +128,9 @@ void Patch::setRates(const Pose& pose, const double* own, double* rates) const {
 double Patch::potentialEnergy(const Pose& pose, const double* own) const {
   if (!touches(modeOf(own))) return 0;
   const Now at = now(pose, own);
-  double energy = 0.5 * (bristle_.stiffness * pair(own + kSlide).squaredNorm() +
+  double energy = 0.5 * (bristle_.stiffness * planePair(own + kSlide).squaredNorm() +
                          spinning_.stiffness * own[kSpin] * own[kSpin] +
-                         rolling_.stiffness * pair(own + kRoll).squaredNorm());
+                         rolling_.stiffness * planePair(own + kRoll).squaredNorm());
   for (std::size_t j = 0; j < at.count; ++j)
     if (at.mode & (kTouches << j)) energy += at.point[j].energy(c_);
   return energy;
@@ -145,9 +146,9 @@ double Patch::externalPower(const Pose& pose, const double* own) const {
   const auto add = [&power](const Bristle& bristle, const auto& s, const auto& v, const auto& of) {
     power += of.pull.dot(v) + bristle.stiffness * s.dot(of.rate);
   };
-  if (bristle_.exists()) add(bristle_, pair(own + kSlide), at.v, slide(at, own));
+  if (bristle_.exists()) add(bristle_, planePair(own + kSlide), at.v, slide(at, own));
   if (spins()) add(spinning_, Vector1d(own[kSpin]), Vector1d(at.spin), spin(at, own));
-  if (rolling_.exists()) add(rolling_, pair(own + kRoll), at.roll, roll(at, own));
+  if (rolling_.exists()) add(rolling_, planePair(own + kRoll), at.roll, roll(at, own));
   return power;
 }
 
@@ -195,10 +196,10 @@ void Patch::setGuards(const Pose& pose, const double* own, double* guards) const
   };
   const double margin = Bristles::margin(mass_);
   if (bristle_.exists())
-    of_bristles[0] = guard(
-        kSlips,
-        BristlePull<Vector2d>::excess(bristle_, pair(own + kSlide), at.v, c_.friction * at.normal),
-        margin);
+    of_bristles[0] = guard(kSlips,
+                           BristlePull<Vector2d>::excess(bristle_, planePair(own + kSlide), at.v,
+                                                         c_.friction * at.normal),
+                           margin);
   if (spins())
     of_bristles[1] =
         guard(kSpins,
@@ -207,7 +208,7 @@ void Patch::setGuards(const Pose& pose, const double* own, double* guards) const
               margin * feature_.radius);
   if (rolling_.exists())
     of_bristles[2] = guard(kRolls,
-                           BristlePull<Vector2d>::excess(rolling_, pair(own + kRoll), at.roll,
+                           BristlePull<Vector2d>::excess(rolling_, planePair(own + kRoll), at.roll,
                                                          c_.rolling_friction * at.normal),
                            margin * lever_);
 }

@@ -38,7 +38,7 @@ TEST(Friction, MakesABallGripAtTheSpeedThatMomentumTells) {
   }
 }
 
-// a = 5/7 kPull sin θ, but for the yielding of the bristle at the start.
+// a = 5/7 g sin θ, but for the yielding of the bristle at the start.
 TEST(Friction, LetsABallRollDownASlope) {
   constexpr double R = 0.1, kAngle = 0.2, kTime = 1;
   Bench bench;
@@ -54,7 +54,7 @@ TEST(Friction, LetsABallRollDownASlope) {
               3 * c.breakaway);
 }
 
-// v²/(2 μ kPull), and short of it by what the bristle yields.
+// v²/(2 μ g), and short of it by what the bristle yields.
 TEST(Friction, StopsABlock) {
   constexpr double kMass = 2, v0 = 1;
   Bench bench;
@@ -91,7 +91,7 @@ TEST(Friction, HoldsABlockOnASlope) {
   EXPECT_NEAR((carried - Vector3d(0, 0, 2 * kPull)).norm(), 0, 1e-9);
 }
 
-// v²/(2 · 5/7 ρ kPull/R)
+// v²/(2 · 5/7 ρ g/R)
 TEST(RollingFriction, StopsABall) {
   constexpr double R = 0.1, v0 = 0.5, rho = 2e-3;
   Bench bench;
