@@ -82,6 +82,8 @@ void checkState(const World& world, const State& state) {
   require(state.laws.empty() || state.laws.size() == law_states,
           "a state must have as many states of laws as its world, " + std::to_string(law_states) +
               ", got " + std::to_string(state.laws.size()));
+  for (double own : state.laws)
+    require(std::isfinite(own), "states of laws must be finite numbers", own);
   require(state.anchors.empty() || state.anchors.size() == world.bodies.size(),
           "a state must have an anchor for each body, or none");
   const double h = world.solver.time_step, steps = state.t / h;

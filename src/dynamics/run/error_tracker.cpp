@@ -6,8 +6,17 @@
 namespace rigid_body_sim {
 namespace {
 
+/// Of contacts, errors remain in the flights that follow.
 bool solvedToRounding(const Run& run, const Group& group) {
-  return !group.choice().method && !run.world().solver.tolerance_stated;
+  return !group.choice().method && !run.world().solver.tolerance_stated && !run.hasContacts();
+}
+
+/// By how much the difference of the two runs exceeds the error of the finer one. In contact, both
+/// follow their own error estimates, and differences grow from impact to impact: theirs is the
+/// estimate.
+double excessOf(const Run& run, const Group& group) {
+  const Method* method = group.choice().method;
+  return method && !run.hasContacts() ? std::exp2(method->order) - 1 : 1;
 }
 
 }  // namespace
@@ -39,8 +48,7 @@ void ErrorTracker::follow(const Run& run) {
   for (const Group& group : run.groups()) {
     if (solvedToRounding(run, group)) continue;
     // a solved motion is compared with itself solved to rounding
-    const Method* method = group.choice().method;
-    const double ratio = method ? std::exp2(method->order) - 1 : 1;
+    const double ratio = excessOf(run, group);
     for (std::size_t body : group.members()) {
       const BodyState fine = run.body(body), coarse = coarse_->body(body);
       estimate_.attitude =

@@ -49,6 +49,9 @@ class Run {
   int maxSubsteps() const;
   std::int64_t evaluations() const;
 
+  /// Whether any law of the world is a contact.
+  bool hasContacts() const { return !laws_.contacts().empty(); }
+
   /// Of the last step, in order; of the start, before the first.
   const std::vector<ContactEvent>& contactEvents() const;
 

@@ -87,6 +87,13 @@ TEST(Contact, IsRefusedByIntegratorsThatWouldLoseItsEvents) {
   }
 }
 
+TEST(Contact, RefusesAStateOfWhichItsOwnAreNoNumbers) {
+  const Bench bench = strikingBall(1, contactOf(1e5, 1.5, 0, 0.5));
+  State state = bench.simulation("auto", 0.01).state();
+  state.laws[0] = std::nan("");
+  EXPECT_THROW(Simulation(bench.world, state), std::invalid_argument);
+}
+
 TEST(Contact, RefusesParametersThatBreakARule) {
   const Bench bench = strikingBall(1, contactOf(1e5, 1.5, 0, 0.5));
   const auto refuses = [&](auto change) {
