@@ -32,7 +32,7 @@ struct System {
   bool law_states_change = false;  ///< with time, not only from mode to mode
   bool has_events = false;         ///< whether any law has guards
   bool has_contact = false;        ///< whether any law needs kContact
-  double event_precision = 0;  ///< share of a step to which events are located; 0: to rounding
+  double event_precision = 0;      ///< share of a step to which events are located; 0: to rounding
 };
 
 /// What changes about a system.

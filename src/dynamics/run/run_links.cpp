@@ -135,15 +135,16 @@ void Run::advanceLinking(double t_end, Meter&... meter) {
   findNextWatch();
 }
 
-/// Advances one of the groups with contact to the limit, or to where a contact begins or ceases to
-/// act. Returns whether there was one.
+/// Advances the groups with contact to the limit, or until one of them stops where a contact begins
+/// or ceases to act. Returns whether one did.
 template <class... Meter>
 bool Run::advanceContact(double limit, double t_end, Meter&... meter) {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     if (!groups_[g].mayStop() || !(std::max(time_, groups_[g].time()) < limit)) continue;
     const std::vector<std::size_t> members = groups_[g].members();
     const double stop = advanceGroup(g, limit, t_end, meter...);
-    if (groups_[g].switchedModes()) regroup(members, stop);
+    if (!groups_[g].switchedModes()) continue;
+    regroup(members, stop);
     return true;
   }
   return false;
