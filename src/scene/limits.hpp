@@ -16,6 +16,7 @@ constexpr std::size_t kMaxNameBytes = 255;        ///< of the name of a body or 
 constexpr std::size_t kMaxBodies = 200000;
 constexpr std::size_t kMaxPoints = 10000;  ///< of a body
 constexpr std::size_t kMaxForces = 200000;
+constexpr std::size_t kMaxCollisionShapes = 10000;  ///< of a body
 constexpr double kMaxSteps = 9007199254740992;  ///< 2⁵³: no double counts on by ones from there
 
 constexpr std::size_t kMaxUrdfBytes = 16 << 20;

@@ -140,7 +140,7 @@ TEST(SceneCentralGravity, KeepsItsRules) {
 
 TEST(SceneForces, AreOfAKnownType) {
   EXPECT_EQ(forceError("{type: magnet}"),
-            kAtForce + "type must be one of central_gravity, spring, got magnet");
+            kAtForce + "type must be one of central_gravity, contact, spring, got magnet");
   EXPECT_EQ(forceError("{stiffness: 1}"), kAtForce + "missing key 'type'");
   EXPECT_EQ(forceError("7"), kAtForce + "a mapping is expected, got 7");
   EXPECT_EQ(errorOf(boxScene("forces: 3\n")), "s.yaml:6: forces must be a list of laws, got 3");

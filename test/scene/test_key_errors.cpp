@@ -20,7 +20,7 @@ TEST(SceneKeys, MustBeKnown) {
       kAtBox +
           "unknown key 'mas' (known: name, frame, shape, mass, density, inertia, center_of_mass, "
           "parts, particles, urdf, impossible_inertia, position, orientation, twist, drag, points, "
-          "fixed, visual)");
+          "collision, fixed, visual)");
   EXPECT_EQ(boxError("    twist: {fram: world}\n"),
             kAtBox + "unknown key 'twist.fram' (known: frame, linear, angular)");
   EXPECT_EQ(boxError("    points: {a: {pos: [0, 0, 0]}}\n"),
@@ -33,7 +33,7 @@ TEST(SceneKeys, MustBeKnown) {
             "force, torque, start, duration)");
   EXPECT_EQ(errorOf(bodyScene("  - name: a\n    shape: {cube: 1}\n")),
             "s.yaml:4: body 'a': unknown key 'shape.cube' (known: box, sphere, cylinder, capsule, "
-            "ellipsoid, cone, mesh)");
+            "ellipsoid, cone, mesh, plane)");
 }
 
 TEST(SceneKeys, MustBeThere) {

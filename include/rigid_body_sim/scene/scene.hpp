@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/contact.hpp>
 #include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/mass/particles.hpp>
 #include <rigid_body_sim/mass/shapes.hpp>
@@ -44,6 +46,9 @@ struct VisualDef {
 /// oriented bounding box.
 enum class MeshSolid { kSurface, kHull, kBox };
 
+/// Corners [m] of a convex hull, none of them between others. Shared by the bodies that have them.
+using HullCorners = std::shared_ptr<const std::vector<Vector3d>>;
+
 /// The solid of a triangle mesh, in the axes of its file. The triangles themselves have done their
 /// work once these integrals are known.
 struct MeshDef {
@@ -52,6 +57,7 @@ struct MeshDef {
   MeshSolid solid = MeshSolid::kSurface;
   double volume = 0;    ///< [m³] > 0, of the scaled mesh
   MassProperties unit;  ///< of one kilogram of it
+  HullCorners corners;  ///< of its convex hull; null in a scene without contact
 };
 
 using SolidGeometry = std::variant<Shape, MeshDef>;
@@ -70,17 +76,36 @@ struct PartDef {
   int line = 0;
 };
 
+/// The convex hull of a mesh, in the axes of its file.
+struct HullDef {
+  std::string url;                    ///< of the file, as in MeshDef
+  Vector3d scale = Vector3d::Ones();  ///< of the axes of the file; none is 0
+  HullCorners corners;                ///< [m] of the scaled mesh
+};
+
+/// A solid that touches, placed in the body frame.
+struct CollisionDef {
+  std::variant<Shape, HullDef> geometry;
+  Vector3d position = Vector3d::Zero();               ///< [m] of the origin of its own frame S
+  Quaterniond orientation = Quaterniond::Identity();  ///< q_BS, unit
+};
+
 /// A link of a URDF file, alone or with those that hang on it by fixed joints. The body frame is
 /// that of the link.
 struct LinkDef {
   MassProperties mass;  ///< of their <inertial> elements, summed
   std::vector<Visual> visuals;
+  std::vector<CollisionDef> collision;  ///< their <collision> elements, in a scene with contact
 };
 
+/// A half-space, solid below the plane z = 0 of the body frame and free above it. It has no mass
+/// and never moves.
+struct PlaneDef {};
+
 /// What a body is made of, in the body frame: given mass properties, a solid, the sum of parts,
-/// particles at rest, or a URDF link.
+/// particles at rest, a URDF link, or a half-space.
 using CompositionDef =
-    std::variant<MassProperties, SolidDef, std::vector<PartDef>, Particles, LinkDef>;
+    std::variant<MassProperties, SolidDef, std::vector<PartDef>, Particles, LinkDef, PlaneDef>;
 
 struct BodyDef {
   std::string name;
@@ -93,6 +118,7 @@ struct BodyDef {
   std::vector<PointDef> points;
   bool fixed = false;  ///< it never moves
   VisualDef visual;
+  std::optional<std::vector<CollisionDef>> collision;  ///< none: what it is made of touches
 
   int line = 0;              ///< of its name
   int composition_line = 0;  ///< of the key that says what it is made of
@@ -138,7 +164,14 @@ struct CentralGravityDef {
   bool gradient = false;
 };
 
-using ForceLawDef = std::variant<SpringDef, CentralGravityDef>;
+/// Contact of two bodies; see contactWithHalfSpace and contactOfBalls for the law.
+struct ContactDef {
+  std::string body;
+  std::string other;  ///< empty: every other body that has a shape
+  ContactParameters parameters;
+};
+
+using ForceLawDef = std::variant<SpringDef, CentralGravityDef, ContactDef>;
 
 struct ForceDef {
   ForceLawDef law;

@@ -17,9 +17,14 @@ struct MeshVisual {
   Vector3d scale = Vector3d::Ones();  ///< along the axes of the file
 };
 
+/// A square of the plane z = 0 of its own frame, around the origin.
+struct PatchVisual {
+  double side;  ///< [m]
+};
+
 /// One thing to draw, fixed to a body.
 struct Visual {
-  std::variant<Shape, MeshVisual> geometry;
+  std::variant<Shape, MeshVisual, PatchVisual> geometry;
   Isometry3d X_BV = Isometry3d::Identity();  ///< the geometry's own frame in the body frame
   std::optional<Color> color;                ///< none: as the viewer likes
 };

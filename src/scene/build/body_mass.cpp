@@ -17,6 +17,7 @@ MassProperties massOf(const MassProperties& given) { return given; }
 MassProperties massOf(const SolidDef& solid) { return massProperties(solid); }
 MassProperties massOf(const Particles& particles) { return massProperties(particles); }
 MassProperties massOf(const LinkDef& link) { return link.mass; }
+MassProperties massOf(const PlaneDef&) { return {}; }
 
 MassProperties massOf(const PartDef& part) {
   return transformed(isometry(part.orientation, part.position),
@@ -39,6 +40,8 @@ double volumeOf(const SolidGeometry& geometry) {
 MassProperties massProperties(const SolidDef& solid) {
   return std::visit([&](const auto& kind) { return massOf(kind, solid.mass); }, solid.geometry);
 }
+
+bool hasMass(const BodyDef& body) { return !std::holds_alternative<PlaneDef>(body.composition); }
 
 MassProperties massProperties(const BodyDef& body) {
   return std::visit([](const auto& kind) { return massOf(kind); }, body.composition);

@@ -10,7 +10,10 @@ double volumeOf(const SolidGeometry& geometry);
 /// Mass properties of a solid, in the frame of its geometry.
 MassProperties massProperties(const SolidDef& solid);
 
-/// Mass properties of a body, in the body frame.
+/// Whether it has mass properties; a plane has none.
+bool hasMass(const BodyDef& body);
+
+/// Mass properties of a body, in the body frame; zero where it has none.
 MassProperties massProperties(const BodyDef& body);
 
 }  // namespace rigid_body_sim

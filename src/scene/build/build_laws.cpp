@@ -1,6 +1,7 @@
 #include "scene/build/build_laws.hpp"
 
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
@@ -9,6 +10,7 @@
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 #include "scene/build/body_names.hpp"
+#include "scene/build/build_contacts.hpp"
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
@@ -18,7 +20,7 @@ namespace {
 class LawBuilder {
  public:
   LawBuilder(const Scene& scene, const std::vector<Body>& bodies)
-      : scene_(scene), bodies_(bodies), frames_(scene, bodies) {
+      : scene_(scene), bodies_(bodies), frames_(scene, bodies), contacts_(scene, bodies, frames_) {
     for (const Body& body : bodies) names_.insert(body.name);
   }
 
@@ -43,6 +45,14 @@ class LawBuilder {
                              : "from and to must not be on one body, '" + def.from.body + "'");
     laws_.push_back(std::make_shared<Spring>(
         from, to, Spring::Constants{def.stiffness, def.damping, def.rest_length}));
+  }
+
+  void add(const ContactDef& def) {
+    try {
+      for (const std::shared_ptr<const ForceLaw>& law : contacts_.lawsOf(def)) laws_.push_back(law);
+    } catch (const std::invalid_argument& refused) {
+      fail(force_->line, refused.what());
+    }
   }
 
   /// One law per body that moves.
@@ -70,6 +80,7 @@ class LawBuilder {
   const Scene& scene_;
   const std::vector<Body>& bodies_;
   const FrameTable frames_;
+  ContactBuilder contacts_;
   std::set<std::string> names_;
   const ForceDef* force_ = nullptr;
   std::size_t index_ = 0;

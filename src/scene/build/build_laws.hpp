@@ -7,7 +7,8 @@
 namespace rigid_body_sim {
 
 /// The laws of a scene between the bodies of its world. Throws SceneError for a spring that names
-/// an unknown body, and for one that no motion can stretch.
+/// an unknown body, for one that no motion can stretch, and for contact of bodies that cannot
+/// touch.
 ForceLaws lawsOf(const Scene& scene, const std::vector<Body>& bodies);
 
 }  // namespace rigid_body_sim

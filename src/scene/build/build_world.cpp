@@ -13,7 +13,9 @@ namespace rigid_body_sim {
 namespace {
 
 Body bodyOf(const BodyDef& def) {
-  Body body = makeBody(def.name, massProperties(def));
+  // that of a fixed body is ignored; a plane has none, and any other is as good
+  const MassProperties any{1, Vector3d::Zero(), Matrix3d::Identity()};
+  Body body = makeBody(def.name, hasMass(def) ? massProperties(def) : any);
   body.fixed = def.fixed;
   return body;
 }

@@ -32,6 +32,19 @@ void checkNames(const Scene& scene) {
   }
 }
 
+/// A half-space neither moves nor touches by another shape.
+void checkPlane(const Scene& scene, const BodyDef& body) {
+  const std::string where = "body '" + body.name + "': ";
+  if (!body.fixed)
+    throw SceneError(scene.source, body.composition_line,
+                     where +
+                         "shape.plane needs fixed: true, for a half-space has no mass and cannot "
+                         "move");
+  if (body.collision)
+    throw SceneError(scene.source, body.composition_line,
+                     where + "collision cannot stand beside shape.plane, which touches as it is");
+}
+
 void checkMassProperties(const Scene& scene, const BodyDef& body) {
   const std::string where = "body '" + body.name + "': ";
   if (const auto* parts = std::get_if<std::vector<PartDef>>(&body.composition))
@@ -60,7 +73,10 @@ void checkMotion(const Scene& scene, const BodyDef& body) {
 void checkScene(const Scene& scene) {
   checkNames(scene);
   for (const BodyDef& body : scene.bodies) {
-    checkMassProperties(scene, body);
+    if (hasMass(body))
+      checkMassProperties(scene, body);
+    else
+      checkPlane(scene, body);
     checkMotion(scene, body);
   }
 }

@@ -48,6 +48,20 @@ Visual visualOf(const MassProperties& mass, const Isometry3d& X_BS) {
           {}};
 }
 
+Visual visualOf(const HullDef& hull, const Isometry3d& X_BS) {
+  return {MeshVisual{hull.url, hull.scale}, X_BS, {}};
+}
+
+std::vector<Visual> visualsOfKind(const std::vector<CollisionDef>& solids) {
+  std::vector<Visual> visuals;
+  for (const CollisionDef& solid : solids) {
+    const Isometry3d X_BS = isometry(solid.orientation, solid.position);
+    visuals.push_back(
+        std::visit([&](const auto& kind) { return visualOf(kind, X_BS); }, solid.geometry));
+  }
+  return visuals;
+}
+
 std::vector<Visual> visualsOfKind(const MassProperties& given) {
   return {visualOf(given, Isometry3d::Identity())};
 }
@@ -56,6 +70,11 @@ std::vector<Visual> visualsOfKind(const SolidDef& solid) {
 }
 std::vector<Visual> visualsOfKind(const Particles& particles) { return spheresOf(particles); }
 std::vector<Visual> visualsOfKind(const LinkDef& link) { return link.visuals; }
+std::vector<Visual> visualsOfKind(const PlaneDef&) {
+  constexpr double kSide = 20;
+  constexpr Color kGrey{0.6, 0.6, 0.6, 1.0};
+  return {{PatchVisual{kSide}, Isometry3d::Identity(), kGrey}};
+}
 
 std::vector<Visual> visualsOfKind(const std::vector<PartDef>& parts) {
   std::vector<Visual> visuals;
@@ -71,7 +90,11 @@ std::vector<Visual> visualsOfKind(const std::vector<PartDef>& parts) {
 
 std::vector<Visual> visualsOf(const BodyDef& body) {
   std::vector<Visual> visuals;
-  if (body.visual.mesh.empty())
+  const bool has_solids = body.collision && !body.collision->empty();
+  if (body.visual.mesh.empty() && has_solids &&
+      std::holds_alternative<MassProperties>(body.composition))
+    visuals = visualsOfKind(*body.collision);
+  else if (body.visual.mesh.empty())
     visuals = std::visit([](const auto& kind) { return visualsOfKind(kind); }, body.composition);
   else
     visuals.push_back({MeshVisual{body.visual.mesh, body.visual.scale},

@@ -11,7 +11,8 @@ namespace rigid_body_sim {
 /// what the body is made of:
 ///   a shape or mesh; every one of its parts; a small sphere for each particle, its volume in
 ///   proportion to the mass; the <visual> elements of its URDF link (there may be none); for given
-///   properties the box that has them, its density uniform.
+///   properties the shapes of `collision`, else the box that has them, its density uniform; a
+///   square of 20 m of a plane.
 /// The colour of `visual` is that of all of them.
 std::vector<Visual> visualsOf(const BodyDef& body);
 

@@ -5,10 +5,9 @@
 
 #include <rigid_body_sim/mass/checked_mesh.hpp>
 
-#include "mass/merged_vertices.hpp"
 #include "scene/files/viewer_url.hpp"
 #include "scene/meshes/bounding_box.hpp"
-#include "scene/meshes/convex_hull.hpp"
+#include "scene/meshes/file_hull.hpp"
 #include "scene/meshes/read_mesh.hpp"
 
 namespace rigid_body_sim {
@@ -28,8 +27,7 @@ TriangleMesh surfaceOf(const FileMesh& file, std::vector<std::string>& notices) 
 
 /// The hull of the vertices that triangles use, or the box around it.
 TriangleMesh solidAround(const FileMesh& file, MeshSolid solid, std::vector<std::string>& notices) {
-  const TriangleMesh hull =
-      convexHull(withMergedVertices(file.mesh).vertices, file.rounding.maxCoeff());
+  const TriangleMesh hull = hullOf(file);
   const bool is_hull = solid == MeshSolid::kHull;
   const CheckedMesh checked = checkedMesh(is_hull ? hull : boundingBox(hull));
   if (!checked.fault.empty()) throw std::runtime_error(checked.fault);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "scene/readers/entry.hpp"
@@ -14,5 +15,9 @@ struct FileReference {
 
 /// package://<package>/<path>, or a path, which may be relative. Says nothing of whether it exists.
 FileReference readFileReference(const Entry& value);
+
+/// The same that a file in a directory says. Throws std::runtime_error with one line.
+FileReference resolvedReference(const std::string& text, const std::filesystem::path& directory,
+                                const PackageFinder& find_package);
 
 }  // namespace rigid_body_sim

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -79,6 +80,16 @@ void refuseUncountableSteps(const Entry& root, const Scene& scene) {
   root.child(*root.node().find("time_step")).failRule(rule.str());
 }
 
+/// Whether a law is contact: then what the shapes of the bodies touch by is read, too.
+bool namesContact(const YamlNode& scene) {
+  const YamlNode* forces = scene.find("forces");
+  const auto isContact = [](const YamlNode& law) {
+    const YamlNode* type = law.find("type");
+    return type && type->text == "contact";
+  };
+  return forces && std::any_of(forces->children.begin(), forces->children.end(), isContact);
+}
+
 /// The scene in a text; context: as for the whole file.
 Scene readScene(const std::string& yaml_text, ReadContext context) {
   static const std::vector<Key<Scene>> keys = {
@@ -105,6 +116,7 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
   // bodies may name it, and stand before it
   if (const YamlNode* node = document.root.find("world_frame"))
     context.world_frame = readWorldFrame(root.child(*node));
+  context.has_contact = namesContact(document.root);
   Scene scene;
   scene.source = context.source;
   readMapping(root, keys, scene);

@@ -120,6 +120,7 @@ BodyDef readBody(const Entry& list_item) {
       {"twist", later},
       {"drag", [](const Entry& e, BodyDef& b) { b.drag = readDrag(e); }},
       {"points", [](const Entry& e, BodyDef& b) { b.points = readPoints(e); }},
+      {"collision", [](const Entry& e, BodyDef& b) { b.collision = readCollision(e); }},
       {"fixed", [](const Entry& e, BodyDef& b) { b.fixed = readBoolean(e); }},
       {"visual", [](const Entry& e, BodyDef& b) { b.visual = readVisual(e); }},
   };

@@ -154,17 +154,33 @@ const YamlNode& compositionKey(const Entry& body) {
   return *found;
 }
 
+/// Whether the value of `shape` names a plane and nothing else.
+bool namesPlane(const YamlNode& shape) { return shape.find("plane") && shape.children.size() == 1; }
+
+/// The mapping of the body names a plane as its shape.
+PlaneDef readPlane(const Entry& mapping) {
+  refuse(mapping, {"mass", "density", "inertia", "center_of_mass"},
+         "cannot stand beside shape.plane, which has no mass");
+  const Entry shape = mapping.child(*mapping.node().find("shape"));
+  const Entry plane = shape.child(*shape.node().find("plane"));
+  if (plane.node().kind != YamlNode::Kind::kMapping || !plane.node().children.empty())
+    plane.failRule("must be {}: it is the plane z = 0 of the body frame");
+  return {};
+}
+
 CompositionDef compositionOf(const Entry& entry, const YamlNode& key, const MassKeys& mass,
                              BodyDef& body) {
   if (key.key == "inertia") return readGiven(entry, mass);
   if (key.key == "shape" || key.key == "particles")
     refuse(entry, {"impossible_inertia"}, "goes with inertia, parts or urdf");
+  if (key.key == "shape" && namesPlane(key)) return readPlane(entry);
   if (key.key == "shape") return readSolid(entry, mass);
   refuseGiven(entry, {"inertia", "center_of_mass", "mass", "density"}, key.key);
   const Entry value = entry.child(key);
   if (key.key == "parts") return readParts(value, mass.balance);
   if (key.key == "particles") return readParticles(value);
-  LinkedBody linked = readLink(value, mass.balance);
+  const bool touches = entry.context().has_contact && !body.collision;
+  LinkedBody linked = readLink(value, {mass.balance, touches});
   body.points.insert(body.points.end(), linked.points.begin(), linked.points.end());
   return std::move(linked.def);
 }

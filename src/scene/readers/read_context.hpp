@@ -28,7 +28,9 @@ struct ReadContext {
   std::string world_frame = Scene().world_frame;
   std::vector<std::string> notices;
   using MeshKey = std::tuple<std::string, std::array<double, 3>, MeshSolid>;
-  std::map<MeshKey, MeshDef> meshes;  ///< by path, scale and solid: each read once
+  std::map<MeshKey, MeshDef> meshes;       ///< by path, scale and solid: each read once
+  std::map<MeshKey, HullCorners> corners;  ///< likewise
+  bool has_contact = false;                ///< whether the scene names contact
   RepeatedNotice fast_spin, flipped;
   std::map<std::string, UrdfRobot> robots;  ///< by path: each read once
 };

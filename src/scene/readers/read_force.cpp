@@ -56,6 +56,7 @@ struct ForceType {
 const std::vector<ForceType>& forceTypes() {
   static const std::vector<ForceType> types = {
       {"central_gravity", [](const Entry& e) -> ForceLawDef { return readCentralGravity(e); }},
+      {"contact", [](const Entry& e) -> ForceLawDef { return readContact(e); }},
       {"spring", [](const Entry& e) -> ForceLawDef { return readSpring(e); }},
   };
   return types;

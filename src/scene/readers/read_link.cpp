@@ -5,6 +5,7 @@
 
 #include "scene/build/inertia_rules.hpp"
 #include "scene/readers/file_reference.hpp"
+#include "scene/readers/link_collision.hpp"
 #include "scene/readers/readers.hpp"
 #include "scene/urdf/fixed_links.hpp"
 
@@ -99,14 +100,15 @@ std::vector<PointDef> pointsOf(const Entry& entry, const std::vector<PlacedLink>
 
 }  // namespace
 
-LinkedBody readLink(const Entry& entry, bool balance) {
+LinkedBody readLink(const Entry& entry, const LinkChoice& choice) {
   const LinkKeys keys = readLinkKeys(entry);
   const UrdfRobot& robot = robotOf(entry.child(*entry.node().find("file")), keys.file.path);
   const std::vector<PlacedLink> links = linksOf(entry, keys, robot);
-  const std::vector<MassProperties> masses = massesOf(entry, links, balance);
+  const std::vector<MassProperties> masses = massesOf(entry, links, choice.balance);
   if (masses.empty()) failMassless(entry, keys, links);
 
   LinkedBody body;
+  if (choice.touches) body.def.collision = collisionOf(entry, robot, keys.file.path, links);
   body.def.mass = masses.size() == 1 ? masses.front() : combined(masses);
   for (const PlacedLink& placed : links)
     for (Visual visual : placed.link->visuals) {

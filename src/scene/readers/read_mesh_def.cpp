@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "scene/meshes/mesh_corners.hpp"
 #include "scene/meshes/solid_mesh.hpp"
 #include "scene/readers/file_reference.hpp"
 #include "scene/readers/readers.hpp"
@@ -22,12 +23,35 @@ MeshSolid readMeshSolid(const Entry& value) {
   value.failRule("must be surface, hull or box");
 }
 
+ReadContext::MeshKey keyOf(const std::string& path, const Vector3d& scale, MeshSolid solid) {
+  return {path, {scale.x(), scale.y(), scale.z()}, solid};
+}
+
+MeshEntry readMeshEntry(const Entry& entry) {
+  static const std::vector<Key<MeshEntry>> keys = {
+      {"file", [](const Entry& e, MeshEntry& m) { m.file = readFileReference(e); }, true},
+      {"scale", [](const Entry& e, MeshEntry& m) { m.scale = readMeshScale(e); }},
+      {"solid", [](const Entry& e, MeshEntry& m) { m.solid = readMeshSolid(e); }},
+  };
+  MeshEntry mesh;
+  readMapping(entry, keys, mesh);
+  return mesh;
+}
+
+/// As cornersOf; throws SceneError. file: the entry that names the file.
+HullCorners readCorners(const Entry& file, const MeshEntry& mesh) {
+  try {
+    return cornersOf(file.context(), mesh.file.path, mesh.scale, mesh.solid);
+  } catch (const std::runtime_error& e) {
+    file.fail(file.key() + ": " + e.what());
+  }
+}
+
 /// The solid of the file that an entry names; one that two bodies name alike is read once.
 const MeshDef& solidOf(const Entry& file, const MeshEntry& mesh) {
   ReadContext& context = file.context();
   const std::string& path = mesh.file.path;
-  const ReadContext::MeshKey key{
-      path, {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}, mesh.solid};
+  const ReadContext::MeshKey key = keyOf(path, mesh.scale, mesh.solid);
   const auto known = context.meshes.find(key);
   if (known != context.meshes.end()) return known->second;
   try {
@@ -51,17 +75,25 @@ Vector3d readMeshScale(const Entry& value) {
 }
 
 MeshDef readMeshDef(const Entry& entry) {
-  static const std::vector<Key<MeshEntry>> keys = {
-      {"file", [](const Entry& e, MeshEntry& m) { m.file = readFileReference(e); }, true},
-      {"scale", [](const Entry& e, MeshEntry& m) { m.scale = readMeshScale(e); }},
-      {"solid", [](const Entry& e, MeshEntry& m) { m.solid = readMeshSolid(e); }},
-  };
-  MeshEntry mesh;
-  readMapping(entry, keys, mesh);
+  const MeshEntry mesh = readMeshEntry(entry);
   const Entry file = entry.child(*entry.node().find("file"));
   MeshDef def = solidOf(file, mesh);
   def.url = mesh.file.url;
+  if (entry.context().has_contact) def.corners = readCorners(file, mesh);
   return def;
+}
+
+HullDef readHullDef(const Entry& entry) {
+  const MeshEntry mesh = readMeshEntry(entry);
+  return {mesh.file.url, mesh.scale, readCorners(entry.child(*entry.node().find("file")), mesh)};
+}
+
+HullCorners cornersOf(ReadContext& context, const std::string& path, const Vector3d& scale,
+                      MeshSolid solid) {
+  HullCorners& corners = context.corners[keyOf(path, scale, solid)];
+  if (!corners)
+    corners = std::make_shared<const std::vector<Vector3d>>(meshCorners(path, scale, solid));
+  return corners;
 }
 
 }  // namespace rigid_body_sim

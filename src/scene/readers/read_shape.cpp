@@ -45,6 +45,9 @@ Shape readRound(const Entry& value) {
 }  // namespace
 
 SolidGeometry readGeometry(const Entry& entry) {
+  const auto refusePlane = [](const Entry& e, SolidGeometry&) {
+    e.fail(e.key() + " must be the only shape of a fixed body: shape: {plane: {}}, fixed: true");
+  };
   using Geometry = SolidGeometry;
   static const std::vector<Key<Geometry>> keys = {
       {"box", [](const Entry& e, Geometry& g) { g = Box{readSize(e)}; }},
@@ -54,6 +57,7 @@ SolidGeometry readGeometry(const Entry& entry) {
       {"ellipsoid", [](const Entry& e, Geometry& g) { g = Ellipsoid{readSize(e)}; }},
       {"cone", [](const Entry& e, Geometry& g) { g = readRound<Cone>(e); }},
       {"mesh", [](const Entry& e, Geometry& g) { g = readMeshDef(e); }},
+      {"plane", refusePlane},
   };
   SolidGeometry geometry;
   readMapping(entry, keys, geometry);

@@ -9,10 +9,14 @@ namespace rigid_body_sim {
 BodyDef readBody(const Entry& entry);
 WrenchDef readWrench(const Entry& entry);
 ForceDef readForce(const Entry& entry);
+ContactDef readContact(const Entry& entry);
 Drag::Coefficients readDrag(const Entry& entry);
 
 /// The value of `shape`.
 SolidGeometry readGeometry(const Entry& entry);
+
+/// The value of `collision`.
+std::vector<CollisionDef> readCollision(const Entry& entry);
 
 /// The value of `scale` of a mesh: one number > 0, or three other than 0.
 Vector3d readMeshScale(const Entry& value);
@@ -20,15 +24,27 @@ Vector3d readMeshScale(const Entry& value);
 /// The value of `mesh` within a shape; reads the file.
 MeshDef readMeshDef(const Entry& entry);
 
+/// The same where only its convex hull counts.
+HullDef readHullDef(const Entry& entry);
+
+/// The corners of a mesh file (meshCorners); each is found once. Throws as that.
+HullCorners cornersOf(ReadContext& context, const std::string& path, const Vector3d& scale,
+                      MeshSolid solid);
+
 /// A body made of links of a URDF file.
 struct LinkedBody {
   LinkDef def;
   std::vector<PointDef> points;  ///< the frames of the links; none for a link alone
 };
 
-/// The value of `urdf`; reads the file. balance: whether moments that break the triangle inequality
-/// are raised to meet it.
-LinkedBody readLink(const Entry& entry, bool balance);
+/// What is read of a URDF file beside what every body needs.
+struct LinkChoice {
+  bool balance = false;  ///< moments that break the triangle inequality are raised to meet it
+  bool touches = false;  ///< by the <collision> elements
+};
+
+/// The value of `urdf`; reads the file.
+LinkedBody readLink(const Entry& entry, const LinkChoice& choice);
 
 /// What the body is made of, from the keys that say so; refuses keys, or a lack of them, that do
 /// not say it once. entry: the mapping of the body.

@@ -150,7 +150,7 @@ double readPositive(const Entry& value, const std::string& unit) {
 
 double readNotNegative(const Entry& value, const std::string& unit) {
   const double number = readNumber(value, unit);
-  if (!(number >= 0)) value.failRule("must be >= 0 " + unit);
+  if (!(number >= 0)) value.failRule("must be >= 0" + (unit.empty() ? "" : " " + unit));
   return number;
 }
 

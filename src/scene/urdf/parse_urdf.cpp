@@ -78,7 +78,8 @@ ParsedUrdf parseUrdf(const std::string& xml) {
   const Parsed bare = parsed(document);
   if (!bare.errors.empty()) throw std::runtime_error(bare.errors.front());
   urdf.model = whole.model ? whole.model : bare.model;
-  urdf.notices.push_back("left out of what is drawn: " + nameList(whole.errors));
+  urdf.looks_fault = nameList(whole.errors);
+  urdf.notices.push_back("left out of what is drawn: " + urdf.looks_fault);
   return urdf;
 }
 

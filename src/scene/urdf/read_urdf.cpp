@@ -45,6 +45,8 @@ UrdfLink toLink(const urdf::Link& link, const std::filesystem::path& directory,
       notices.push_back("link '" + printable(link.name) +
                         "': a <visual> without a geometry that is known is left out");
   }
+  for (const urdf::CollisionSharedPtr& collision : link.collision_array)
+    read.collisions.push_back(toCollision(*collision));
   return read;
 }
 
@@ -74,6 +76,7 @@ void checkTree(const UrdfRobot& robot) {
 UrdfRobot toRobot(ParsedUrdf parsed, const std::filesystem::path& directory) {
   UrdfRobot robot;
   robot.notices = std::move(parsed.notices);
+  robot.collision_fault = std::move(parsed.looks_fault);
   robot.root = parsed.model->getRoot()->name;
   for (const auto& [name, link] : parsed.model->links_) {
     robot.links.push_back(toLink(*link, directory, robot.notices));

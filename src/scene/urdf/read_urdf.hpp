@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <rigid_body_sim/mass/mass_properties.hpp>
@@ -9,11 +10,26 @@
 
 namespace rigid_body_sim {
 
+/// A mesh file as a URDF file names it: package://, or a path from the directory of that file.
+struct UrdfMesh {
+  std::string file;
+  Vector3d scale = Vector3d::Ones();
+};
+
+using UrdfGeometry = std::variant<Shape, UrdfMesh>;
+
+/// A <collision> element; its numbers and files are not checked here.
+struct UrdfCollision {
+  std::optional<UrdfGeometry> geometry;      ///< none: of a kind that is not known here
+  Isometry3d X_LC = Isometry3d::Identity();  ///< of the geometry, in the link
+};
+
 /// What a URDF file says of one link L, in the link's frame.
 struct UrdfLink {
   std::string name;
   std::optional<MassProperties> mass;  ///< of <inertial>; none without that element
   std::vector<Visual> visuals;         ///< of every <visual>
+  std::vector<UrdfCollision> collisions;
 
   std::string parent;                        ///< the link that its joint joins it to; empty: none
   bool fixed = false;                        ///< whether that joint is fixed
@@ -25,6 +41,7 @@ struct UrdfRobot {
   std::string root;
   std::vector<UrdfLink> links;       ///< sorted by name
   std::vector<std::string> notices;  ///< what was left out of what is drawn, and why
+  std::string collision_fault;       ///< why <collision> elements may be missing; empty: none is
 };
 
 /// Reads a URDF file. The inertia of <inertial> is about the centre of mass in the axes of its

@@ -46,8 +46,14 @@ Masses massesOfScene(const std::string& path) {
   const Scene scene = loadToolScene(path);
   Masses masses;
   masses.notices = scene.notices;
-  for (const BodyDef& body : scene.bodies)
-    masses.bodies.push_back({body.name, "", massProperties(body)});
+  for (const BodyDef& body : scene.bodies) {
+    const std::string where = path + ":" + std::to_string(body.composition_line) + ": ";
+    if (hasMass(body))
+      masses.bodies.push_back({body.name, "", massProperties(body)});
+    else
+      masses.notices.push_back(where + "body '" + body.name + "': a plane has no mass properties");
+  }
+  if (masses.bodies.empty()) throw std::runtime_error(masses.notices.back());
   return masses;
 }
 
