@@ -116,4 +116,20 @@ TEST(TrailMarkers, ABreakJoinsNothing) {
   EXPECT_EQ(fromPoint(strip->points.at(0)), Vector3d::UnitY());
 }
 
+TEST_F(ArrowMarkers, ForcesOfContactAreDrawnWhereTheyAct) {
+  ContactPoint contact;
+  contact.other = kWorld;
+  contact.position_W = Vector3d(1, 2, 2.5);
+  contact.normal_force_W = Vector3d(0, 0, kWeight);
+  EXPECT_EQ(contactArrows(contact, bodies).size(), 1U);  // no friction, no arrow of it
+  contact.friction_force_W = Vector3d(-kWeight / 4, 0, 0);
+  const auto drawn = contactArrows(contact, bodies);
+  ASSERT_EQ(drawn.size(), 2U);
+  EXPECT_EQ(drawn[0].ns, "contact/normal");
+  EXPECT_EQ(drawn[1].ns, "contact/friction");
+  for (const Marker& arrow : drawn) EXPECT_EQ(fromPoint(arrow.points.at(0)), contact.position_W);
+  EXPECT_LT((along(drawn[0]) - Vector3d(0, 0, 1)).norm(), 1e-15);
+  EXPECT_LT((along(drawn[1]) - Vector3d(-0.5, 0, 0)).norm(), 1e-15);
+}
+
 }  // namespace rigid_body_sim

@@ -119,4 +119,13 @@ TEST(Markers, DrawGivenInertiaAsTheBoxThatHasIt) {
   EXPECT_NEAR(std::abs(longest.z()), 1, 1e-12);
 }
 
+TEST(Markers, DrawAPlaneAsASquareBelowWhatRestsOnIt) {
+  const Marker patch = markerOf("shape: {plane: {}}, fixed: true");
+  EXPECT_EQ(patch.type, Marker::CUBE);
+  EXPECT_EQ(patch.scale.x, patch.scale.y);
+  EXPECT_GT(patch.scale.x, 1);
+  EXPECT_LT(patch.scale.z, 0.1);
+  EXPECT_EQ(patch.pose.position.z + patch.scale.z / 2, 0);
+}
+
 }  // namespace rigid_body_sim

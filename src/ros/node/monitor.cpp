@@ -51,7 +51,7 @@ void Monitor::report(Health health, Clock::time_point now) {
   health.status.header.frame_id = world_frame_;
   health.status.header.stamp = origin_.stamp(simulation_.time());
   if (elapsed.count() > 0) health.status.real_time_factor = advanced / elapsed.count();
-  health.holds_tolerance = holdsTolerance(simulation_);
+  health.holds_tolerance = health.status.tolerance_holds;
   health_ = std::move(health);
   status_.publish(health_.status);
   // at the monitor's pace: the updater's own follows ROS time, which stands still while paused

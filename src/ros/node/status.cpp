@@ -24,6 +24,13 @@ void addMechanics(const Simulation& simulation, SimStatus& status) {
   status.angular_momentum_balance = toVector3(balance.angular_momentum);
 }
 
+void addContacts(const Simulation& simulation, SimStatus& status) {
+  for (const ContactPoint& contact : contactsOf(simulation.world(), simulation.state())) {
+    ++status.contacts;
+    status.greatest_penetration = std::max(status.greatest_penetration, contact.penetration);
+  }
+}
+
 }  // namespace
 
 void addFigures(const Simulation& simulation, SimStatus& status) {
@@ -32,6 +39,8 @@ void addFigures(const Simulation& simulation, SimStatus& status) {
   status.steps = static_cast<std::uint64_t>(simulation.steps());
   status.active_wrenches = static_cast<std::uint32_t>(simulation.wrenchCount());
   addMechanics(simulation, status);
+  addContacts(simulation, status);
+  status.tolerance_holds = holdsTolerance(simulation);
   status.attitude_error = status.position_error = std::numeric_limits<double>::quiet_NaN();
   if (world.solver.integrator == "auto") {
     status.attitude_error = simulation.errorEstimate().attitude;
@@ -77,6 +86,8 @@ void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper&
   diagnostic.add("estimated attitude error [rad]", status.attitude_error);
   diagnostic.add("estimated position error [m]", status.position_error);
   diagnostic.add("most substeps of a step", status.most_parts);
+  diagnostic.add("places that touch", status.contacts);
+  diagnostic.add("greatest penetration [m]", status.greatest_penetration);
   diagnostic.add("energy [J]", status.mechanical_energy);
   diagnostic.add("energy balance [J]", status.energy_balance);
   diagnostic.add("momentum balance [kg m/s]", norm(status.momentum_balance));

@@ -24,6 +24,8 @@ struct Kind {
 };
 constexpr Kind kForce{"wrench/force", 0.9F, 0.2F, 0.2F};
 constexpr Kind kCouple{"wrench/couple", 0.9F, 0.8F, 0.2F};
+constexpr Kind kNormal{"contact/normal", 0.2F, 0.8F, 0.3F};
+constexpr Kind kFriction{"contact/friction", 0.9F, 0.5F, 0.1F};
 constexpr Kind kAngularMomentum{"motion/angular_momentum", 0.2F, 0.8F, 0.8F};
 
 Marker arrow(const Kind& kind, const Vector3d& tail_W, const Vector3d& along_W, double size) {
@@ -65,6 +67,16 @@ std::vector<Marker> wrenchArrows(const PointWrench& applied, const std::vector<B
   addArrow(kForce, point_W, toWorldAxes(applied, applied.force, states), weight, size, arrows);
   addArrow(kCouple, point_W, toWorldAxes(applied, applied.torque, states), weight * size / 2, size,
            arrows);
+  return arrows;
+}
+
+std::vector<Marker> contactArrows(const ContactPoint& contact, const std::vector<Body>& bodies) {
+  const Body& body = bodies[contact.body];
+  const double size = sizeOf(body);
+  const double weight = body.mass * kStandardGravity;
+  std::vector<Marker> arrows;
+  addArrow(kNormal, contact.position_W, contact.normal_force_W, weight, size, arrows);
+  addArrow(kFriction, contact.position_W, contact.friction_force_W, weight, size, arrows);
   return arrows;
 }
 

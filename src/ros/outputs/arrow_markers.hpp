@@ -4,6 +4,7 @@
 
 #include <visualization_msgs/Marker.h>
 
+#include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/wrench.hpp>
 
 namespace rigid_body_sim {
@@ -13,8 +14,10 @@ namespace rigid_body_sim {
 double sizeOf(const Body& body);
 
 /// Arrows in the world that show what acts on a body and how it turns; without header and id, in
-/// the namespaces wrench/force, wrench/couple and motion/angular_momentum:
+/// the namespaces wrench/force, wrench/couple, contact/normal, contact/friction and
+/// motion/angular_momentum:
 ///   a force and a couple, each from the point at which the wrench acts,
+///   normal and friction force on the body that touches, from the place where it touches,
 ///   the angular momentum from the centre of mass.
 /// An arrow is as long as the body (sizeOf) for a force equal to the weight on Earth, a couple
 /// equal to the weight on half a body's size, and the angular momentum of half a turn a second
@@ -24,6 +27,8 @@ double sizeOf(const Body& body);
 std::vector<visualization_msgs::Marker> wrenchArrows(const PointWrench& applied,
                                                      const std::vector<Body>& bodies,
                                                      const std::vector<BodyState>& states);
+std::vector<visualization_msgs::Marker> contactArrows(const ContactPoint& contact,
+                                                      const std::vector<Body>& bodies);
 std::vector<visualization_msgs::Marker> momentumArrows(const Body& body, const BodyState& state);
 
 }  // namespace rigid_body_sim

@@ -77,6 +77,8 @@ MarkerArray LiveMarkers::arrows(const Snapshot& snapshot) const {
       append(wrenchArrows(applied, bodies, states), all);
     append(momentumArrows(bodies[body], states[body]), all);
   }
+  for (const ContactPoint& contact : snapshot.contacts())
+    append(contactArrows(contact, bodies), all);
   return all;
 }
 

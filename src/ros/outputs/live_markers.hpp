@@ -12,9 +12,9 @@
 
 namespace rigid_body_sim {
 
-/// What changes on ~markers, beside the bodies themselves: arrows of the wrenches that act and of
-/// angular momentum, and the trails of the centres of mass of the moving bodies. Computed while
-/// somebody looks: a trail starts then.
+/// What changes on ~markers, beside the bodies themselves: arrows of the wrenches that act, of
+/// the forces of contact and of angular momentum, and the trails of the centres of mass of the
+/// moving bodies. Computed while somebody looks: a trail starts then.
 class LiveMarkers {
  public:
   LiveMarkers(Topic<visualization_msgs::MarkerArray> topic, const std::string& world_frame);

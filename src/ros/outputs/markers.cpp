@@ -21,6 +21,14 @@ Markers markersOf(const MeshVisual& mesh) {
   return {marker};
 }
 
+/// A flat box below the plane: seen from both sides, and nothing that rests on it is hidden.
+Markers markersOf(const PatchVisual& patch) {
+  const double thickness = 5e-4 * patch.side;
+  Markers markers = shapeMarkers(Box{{patch.side, patch.side, thickness}});
+  markers[0].pose.position.z = -thickness / 2;
+  return markers;
+}
+
 /// From the frame of a geometry to the body frame.
 void place(const Isometry3d& X_BV, Marker& marker) {
   const geometry_msgs::Quaternion& q = marker.pose.orientation;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <rigid_body_sim/BodyStates.h>
+#include <rigid_body_sim/Contacts.h>
 #include <rigid_body_sim/dynamics/world.hpp>
 
 #include "ros/outputs/topic.hpp"
@@ -31,6 +33,7 @@ struct OutputTopics {
   Topic<visualization_msgs::MarkerArray> live_markers;
   Topic<rosgraph_msgs::Clock> clock;  ///< empty functions unless chosen
   Topic<BodyStates> states;
+  Topic<Contacts> contacts;  ///< empty functions unless bodies can touch
   std::vector<BodyTopics> bodies;
 };
 
@@ -39,6 +42,12 @@ struct TopicChoice {
   bool clock = false;         ///< /clock
   bool single_bodies = true;  ///< those of BodyTopics
 };
+
+/// Whether bodies can touch.
+inline bool hasContact(const World& world) {
+  return std::any_of(world.laws.begin(), world.laws.end(),
+                     [](const auto& law) { return (law->needs() & kContact) != 0; });
+}
 
 /// The topics of a body that moves, by the names that roscpp resolves. A Transport has
 ///   template <class Message> Topic<Message> open(const std::string& name, bool latched);
@@ -61,6 +70,8 @@ OutputTopics openTopics(Transport& transport, const World& world, const TopicCho
   topics.live_markers =
       transport.template open<visualization_msgs::MarkerArray>("~markers", !kLatched);
   topics.states = transport.template open<BodyStates>("~states", !kLatched);
+  if (hasContact(world))
+    topics.contacts = transport.template open<Contacts>("~contacts", !kLatched);
   if (choice.clock)
     topics.clock = transport.template open<rosgraph_msgs::Clock>("/clock", !kLatched);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {

@@ -39,6 +39,7 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
       state_instants_(options.publish_rate, simulation.time()),
       clock_instants_(options.clock_rate, simulation.time()),
       marker_instants_(std::min(options.publish_rate, kMarkerRate), simulation.time()),
+      contacts_(topics_.contacts, scene.world_frame, origin),
       live_markers_(topics_.live_markers, scene.world_frame),
       bodies_(toMarkers(scene, frames_)) {
   std::vector<std::optional<BodyTopics>> of_body(simulation.world().bodies.size());
@@ -118,6 +119,9 @@ void Outputs::greet() {
     setStates(snapshot, stamp);
     return states_;
   }));
+  contacts_.greetWith(greeting([this](const Snapshot& snapshot, const ros::Time& stamp) {
+    return contacts_.standing(snapshot, stamp);
+  }));
 }
 
 void Outputs::greet(const BodyTopics& topics) {
@@ -150,6 +154,7 @@ void Outputs::publishWithinStep(double t_end) {
 
 void Outputs::publishDue() {
   const double t = simulation_->time();
+  contacts_.keepChanges(*simulation_);
   publishAt(t, t + rounding(t, simulation_->world().solver.time_step));
 }
 
@@ -196,6 +201,7 @@ void Outputs::restart() {
   last_state_stamp_.reset();
   last_clock_stamp_.reset();
   greeted_.reset();
+  contacts_.restart();
   last_t_ = 0;
   for (Instants* instants : {&state_instants_, &clock_instants_, &marker_instants_})
     instants->restart(0);
@@ -225,9 +231,9 @@ void Outputs::publishState(double t, bool with_markers) {
   if (seen && with_markers) live_markers_.publish(snapshot, stamp);
 }
 
-/// Of ~states and the topics of single bodies.
+/// Of ~states, ~contacts and the topics of single bodies.
 bool Outputs::anySubscribers() const {
-  return topics_.states.subscribers() > 0 ||
+  return topics_.states.subscribers() > 0 || contacts_.hasSubscribers() ||
          std::any_of(topics_.bodies.begin(), topics_.bodies.end(), [](const BodyTopics& topics) {
            return topics.odometry.subscribers() > 0 || topics.applied_wrench.subscribers() > 0;
          });
@@ -238,6 +244,7 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
     setStates(snapshot, stamp);
     topics_.states.publish(states_, stamp);
   }
+  if (contacts_.hasSubscribers()) contacts_.publish(snapshot, stamp);
   for (const BodyTopics& topics : topics_.bodies) {
     if (topics.odometry.subscribers())
       topics.odometry.publish(toOdometry(topics.body, snapshot, stamp), stamp);

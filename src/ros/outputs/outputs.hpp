@@ -13,6 +13,7 @@
 #include "ros/messages/conversions.hpp"
 #include "ros/messages/tf_frames.hpp"
 #include "ros/options/node_options.hpp"
+#include "ros/outputs/contact_output.hpp"
 #include "ros/outputs/instants.hpp"
 #include "ros/outputs/live_markers.hpp"
 #include "ros/outputs/output_topics.hpp"
@@ -21,10 +22,11 @@
 namespace rigid_body_sim {
 
 /// What a run publishes, on ROS or into a bag: moving bodies on /tf, <body>/odom and
-/// <body>/applied_wrench, and all bodies on ~states, at the instants k / publish_rate of simulation
-/// time, /clock at k / clock_rate, whether a step ends there or not; once, latched: fixed bodies
-/// and named points on /tf_static, and ~markers. Without subscribers nothing is computed. Stamps
-/// strictly increase while time runs. While it stands, whoever comes is sent the standing state.
+/// <body>/applied_wrench, all bodies on ~states, what touches on ~contacts, at the instants
+/// k / publish_rate of simulation time, /clock at k / clock_rate, whether a step ends there or not;
+/// once, latched: fixed bodies and named points on /tf_static, and ~markers. Without subscribers
+/// nothing is computed. Stamps strictly increase while time runs. While it stands, whoever comes is
+/// sent the standing state.
 class Outputs {
  public:
   /// The simulation, that of the scene, and the origin are watched, not copied.
@@ -117,6 +119,7 @@ class Outputs {
   LastStamp greeted_;  // on /tf, while time stood
   double last_t_ = 0;
   BodyStates states_;  // of listed_, kept for its names
+  ContactOutput contacts_;
   LiveMarkers live_markers_;
   visualization_msgs::MarkerArray bodies_;
   std::size_t viewers_ = 0;  // at the last call of repeatBodies

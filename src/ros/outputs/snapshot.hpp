@@ -27,6 +27,8 @@ class Snapshot {
                         : simulation_.activeWrenches(body);
   }
 
+  std::vector<ContactPoint> contacts() const { return contactsOf(world(), state_); }
+
   /// Sum of the wrenches applied to a body, without gravity.
   Wrench appliedWrench(std::size_t body) const {
     Wrench sum;
