@@ -15,6 +15,7 @@ constexpr std::size_t kMaxTextBytes = 4096;       ///< of one text of a scene, s
 constexpr std::size_t kMaxNameBytes = 255;        ///< of the name of a body or point
 constexpr std::size_t kMaxBodies = 200000;
 constexpr std::size_t kMaxPoints = 10000;  ///< of a body
+constexpr std::size_t kMaxContactPairs = 1000000;
 constexpr std::size_t kMaxForces = 200000;
 constexpr std::size_t kMaxCollisionShapes = 10000;  ///< of a body
 constexpr double kMaxSteps = 9007199254740992;  ///< 2⁵³: no double counts on by ones from there

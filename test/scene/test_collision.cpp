@@ -102,6 +102,13 @@ TEST(Collision, IsDrawnOfABodyOfGivenInertia) {
   EXPECT_EQ(visuals[0].X_BV.translation(), Vector3d(1, 2, 3));
 }
 
+TEST(Collision, HasAtMost10000Shapes) {
+  std::string shapes;
+  for (int i = 0; i < 10001; ++i) shapes += "{shape: {sphere: {radius: 1}}}, ";
+  EXPECT_EQ(collisionError("collision: [" + shapes + "]"),
+            kBodyA + "collision must hold at most 10000 shapes, got 10001");
+}
+
 TEST_F(CollisionFiles, OfAMeshAreTheCornersOfItsHull) {
   files_.written("brick.obj", kBrickOfQuads);
   const BodyDef body = load("shape: {mesh: {file: brick.obj}}, density: 1");

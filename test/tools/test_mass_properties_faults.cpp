@@ -126,4 +126,18 @@ TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsUsage) {
                 "--density and --mass go with a mesh; a.yaml says what its bodies weigh" + help);
 }
 
+TEST_F(MassPropertiesProgram, LeavesPlanesOutAndSaysSo) {
+  const std::string start =
+      "time_step: 1\nbodies:\n  - {name: ground, shape: {plane: {}}, fixed: true}\n";
+  const std::string line = ":3: body 'ground': a plane has no mass properties";
+  const std::string with_ball =
+      files_.written("ball.yaml", start + "  - {name: a, shape: {sphere: {radius: 1}}, mass: 2}\n");
+  const Outcome outcome = run(with_ball);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, StartsWith("a\n  mass               2 kg\n"));
+  EXPECT_EQ(outcome.error, "mass_properties: notice: " + with_ball + line + "\n");
+  const std::string alone = files_.written("ground.yaml", start);
+  expectFailure(alone, 1, alone + line);
+}
+
 }  // namespace rigid_body_sim

@@ -5,6 +5,7 @@
 
 #include "scene/build/body_names.hpp"
 #include "scene/build/contact_shape.hpp"
+#include "scene/limits.hpp"
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
@@ -39,7 +40,7 @@ ForceLaws ContactBuilder::lawsOf(const ContactDef& def) {
     return laws;
   }
   const std::size_t other = indexOf(def.other);
-  if (!made_.insert(std::minmax({body, other})).second)
+  if (!claim(std::minmax({body, other})))
     refuse("between names a pair that an entry before it names, " + quoted(def.body) + " and " +
            quoted(def.other));
   laws.push_back(lawBetween(body, other, def.parameters));
@@ -53,16 +54,27 @@ std::size_t ContactBuilder::indexOf(const std::string& name) const {
          ")" + didYouMean(name, namesOf(bodies_)));
 }
 
+/// Whether the pair has no law yet; from now on it has one.
+bool ContactBuilder::claim(const Pair& pair) {
+  const bool is_new = made_.insert(pair).second;
+  if (made_.size() > kMaxContactPairs)
+    refuse("the contacts of a scene must be between at most " + std::to_string(kMaxContactPairs) +
+           " pairs of bodies");
+  return is_new;
+}
+
 void ContactBuilder::addWithAll(std::size_t body, const ContactParameters& parameters,
                                 ForceLaws& laws) {
   if (index_.count("all") > 0)
     refuse("between: 'all' means every other body here, so that no body may be named all");
+  if (!with_all_.insert(body).second)
+    refuse("between: an entry before it names " + quoted(bodies_[body].name) + " and all");
   bool alone = true;
   for (std::size_t other = 0; other < bodies_.size(); ++other) {
     if (other == body || (bodies_[body].fixed && bodies_[other].fixed) || !touches(other)) continue;
     alone = false;
     const Pair pair = std::minmax({body, other});
-    if (named_.count(pair) > 0 || !made_.insert(pair).second) continue;
+    if (named_.count(pair) > 0 || !claim(pair)) continue;
     ContactParameters of_pair = parameters;
     if (!isPlane(body) && !isPlane(other)) of_pair.rolling_friction = 0;
     laws.push_back(lawBetween(body, other, of_pair));

@@ -28,6 +28,7 @@ class ContactBuilder {
   using Pair = std::pair<std::size_t, std::size_t>;  // the lower index first
 
   std::size_t indexOf(const std::string& name) const;
+  bool claim(const Pair& pair);
   void addWithAll(std::size_t body, const ContactParameters& parameters, ForceLaws& laws);
   std::shared_ptr<const ForceLaw> lawBetween(std::size_t a, std::size_t b,
                                              const ContactParameters& parameters);
@@ -43,6 +44,7 @@ class ContactBuilder {
   std::unordered_map<std::string, std::size_t> index_;
   std::set<Pair> named_;                             // pairs that entries name
   std::set<Pair> made_;                              // pairs that have their law
+  std::set<std::size_t> with_all_;                   // bodies of entries [body, all]
   std::vector<std::optional<ContactShape>> shapes_;  // by body, as they are needed
 };
 
