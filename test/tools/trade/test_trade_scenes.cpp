@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,10 +19,16 @@ namespace {
 
 using test::Bench;
 
+/// Those that the independent reference can follow: it knows no contact.
 std::vector<std::string> shippedScenes() {
   std::vector<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(RIGID_BODY_SIM_SCENES))
-    if (file.path().extension() == ".yaml") names.push_back(file.path().stem().string());
+  for (const auto& file : std::filesystem::directory_iterator(RIGID_BODY_SIM_SCENES)) {
+    if (file.path().extension() != ".yaml") continue;
+    std::ostringstream text;
+    text << std::ifstream(file.path()).rdbuf();
+    if (text.str().find("type: contact") == std::string::npos)
+      names.push_back(file.path().stem().string());
+  }
   std::sort(names.begin(), names.end());
   return names;
 }
