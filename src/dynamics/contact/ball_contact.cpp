@@ -109,8 +109,7 @@ double BallContact::externalPower(const Bodies& at) const {
     if (!(now.mode & kTouches)) return;
     power += now.point.externalPower(c_);
     if (!bristle_.exists()) return;
-    const Pull of = pull(now, own);
-    power += of.pull.dot(now.slip_W) + bristle_.stiffness * stretchOf(own).dot(of.rate);
+    power += pull(now, own).power(bristle_, stretchOf(own), now.slip_W);
   });
   return power;
 }
@@ -127,11 +126,9 @@ double BallContact::rate(const Bodies& at, const std::vector<double>& /*speeds*/
   double fastest = 0;
   forPairs(at, at.own, [&](std::size_t, const Now& now, const double*) {
     if (!(now.mode & kTouches)) return;
-    const double depth = std::max(now.point.depth, 0.0);
-    const double k = c_.exponent * c_.stiffness * std::pow(depth, c_.exponent - 1);
-    const double c = c_.stiffness * std::pow(depth, c_.exponent) * c_.dissipation;
-    fastest = std::max({fastest, std::sqrt((k + bristle_.stiffness) * mobility),
-                        (c + bristle_.damping) * mobility});
+    const double stiffness = now.point.stiffness(c_) + bristle_.stiffness;
+    const double damping = now.point.damping(c_) + bristle_.damping;
+    fastest = std::max({fastest, std::sqrt(stiffness * mobility), damping * mobility});
     if (bristle_.exists()) fastest = std::max(fastest, bristle_.stiffness / bristle_.damping);
   });
   return fastest;
@@ -159,9 +156,8 @@ void BallContact::setGuards(const Bodies& at, double* guards) const {
   forPairs(at, at.own, [&](std::size_t pair, const Now& now, const double* own) {
     double* of_pair = guards + pair * kGuardCount;
     const bool touches = (now.mode & kTouches) != 0;
-    of_pair[kTouch] = touches ? now.point.touchGuard() : -now.point.touchGuard();
-    const double push = 1 + c_.dissipation * now.point.rate;
-    of_pair[kPull] = !touches ? 1 : now.point.clipped ? -push : push;
+    of_pair[kTouch] = now.point.touchGuard(touches);
+    of_pair[kPull] = now.point.pushGuard(c_, touches);
     of_pair[kSlip] = 1;
     if (!touches || !bristle_.exists()) return;
     const double excess =

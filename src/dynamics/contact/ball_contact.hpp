@@ -1,12 +1,13 @@
 #pragma once
 
+#include "dynamics/contact/contact_law.hpp"
 #include "dynamics/contact/feature.hpp"
 #include "dynamics/contact/normal_law.hpp"
 
 namespace rigid_body_sim {
 
 /// Contact of two bodies made of balls, each ball of one with each of the other.
-class BallContact final : public ForceLaw {
+class BallContact final : public ContactLaw {
  public:
   struct Side {
     std::size_t body = 0;   ///< index, or kWorld where the balls never move
@@ -17,17 +18,14 @@ class BallContact final : public ForceLaw {
   /// mass [kg]: the reduced mass.
   BallContact(Side a, Side b, const ContactParameters& parameters, double mass);
 
-  const char* name() const override { return "contact"; }
   std::vector<std::size_t> members() const override;
   std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>& index) const override;
-  unsigned needs() const override { return kCoupling | kDamping | kLawStates | kContact; }
 
   void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
   double potentialEnergy(const Bodies& at) const override;
   double externalPower(const Bodies& at) const override;
   double rate(const Bodies& at, const std::vector<double>& speeds) const override;
-  bool hasRate() const override { return true; }
   double reach(const Bodies& at) const override;
 
   std::size_t stateCount() const override { return pairCount() * kOwnCount; }
@@ -39,8 +37,6 @@ class BallContact final : public ForceLaw {
 
   double quietInFlight(double t, const Bodies& at,
                        const std::vector<MotionBound>& bounds) const override;
-  bool startsAnew() const override { return true; }
-  bool switchesSmoothly() const override { return true; }
   double longestStep(const Bodies& at, double precision) const override;
   void addContacts(const Bodies& at, std::vector<ContactPoint>& contacts) const override;
   void addContactEvents(const Bodies& at, const double* before,

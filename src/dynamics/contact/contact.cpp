@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -54,6 +55,11 @@ std::shared_ptr<const ForceLaw> contactOfBalls(const std::vector<Body>& bodies, 
   const double m_a = bodies[a].mass, m_b = bodies[b].mass;
   const double mass = bodies[b].fixed ? m_a : m_a * m_b / (m_a + m_b);
   return std::make_shared<BallContact>(side(a, shape_a), side(b, shape_b), parameters, mass);
+}
+
+bool hasContact(const World& world) {
+  return std::any_of(world.laws.begin(), world.laws.end(),
+                     [](const auto& law) { return (law->needs() & kContact) != 0; });
 }
 
 std::vector<ContactPoint> contactsOf(const World& world, const State& state) {

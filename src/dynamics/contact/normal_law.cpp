@@ -81,7 +81,8 @@ double dissipationForRestitution(double e, double approach_speed) {
 // The force rises as t^p from a touch on, and falls so towards a release. Where p is not 1, no
 // estimate of a step that begins or ends there can be believed: steps grow with the time since, and
 // shrink with the time until then. The shortest are those over which the force brings about,
-// k |δ'|^p h^(p+1), less than the precision of the momentum m |δ'|.
+// k |δ'|^p h^(p+1), less than the precision of the momentum m |δ'|. kApproach: a share below 1 of
+// the time until the release, chosen on bouncing balls alone.
 double NormalPoint::longestStep(const ContactParameters& c, double mass, double precision) const {
   constexpr double kApproach = 0.7;
   const double speed = std::abs(rate);

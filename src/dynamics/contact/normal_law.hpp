@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <rigid_body_sim/dynamics/contact.hpp>
@@ -20,12 +21,23 @@ struct NormalPoint {
   double rate = 0;       ///< δ' [m/s]
   bool clipped = false;  ///< whether it would pull: 1 + d δ' < 0
 
-  /// δ, or, exactly touching, a number of the sign that δ has next: a body at rest on a plane
-  /// touches it.
-  double touchGuard() const {
-    constexpr double kTiny = 1e-300;
-    if (depth != 0) return depth;
-    return rate >= 0 ? kTiny : -kTiny;
+  /// Below zero where it begins to touch, or lets go.
+  double touchGuard(bool touches) const { return touches ? signedDepth() : -signedDepth(); }
+
+  /// Below zero where it begins, or ceases, to push; nothing to guard where it does not touch.
+  double pushGuard(const ContactParameters& c, bool touches) const {
+    if (!touches) return 1;
+    const double push = 1 + c.dissipation * rate;
+    return clipped ? -push : push;
+  }
+
+  /// ∂N/∂δ at rest, p k δ^(p−1)  [N/m]
+  double stiffness(const ContactParameters& c) const {
+    return c.exponent * c.stiffness * std::pow(std::max(depth, 0.0), c.exponent - 1);
+  }
+  /// ∂N/∂δ', k δᵖ d  [N s/m]
+  double damping(const ContactParameters& c) const {
+    return c.stiffness * std::pow(std::max(depth, 0.0), c.exponent) * c.dissipation;
   }
 
   /// [s] See ForceLaw::longestStep; mass [kg]: the reduced mass.
@@ -43,6 +55,15 @@ struct NormalPoint {
   double externalPower(const ContactParameters& c) const {
     const double elastic = c.stiffness * oddPower(depth, c.exponent);
     return clipped ? elastic * rate : -elastic * c.dissipation * rate * rate;
+  }
+
+ private:
+  /// δ, or, exactly touching, a number of the sign that δ has next: a body at rest on a plane
+  /// touches it.
+  double signedDepth() const {
+    constexpr double kTiny = 1e-300;
+    if (depth != 0) return depth;
+    return rate >= 0 ? kTiny : -kTiny;
   }
 };
 
@@ -74,6 +95,11 @@ struct BristlePull {
       pull = V::Zero();
       rate = v;
     }
+  }
+
+  /// [W] Lost in its damper and its slider: pull · v + k s · s' <= 0.
+  double power(const Bristle& bristle, const V& s, const V& v) const {
+    return pull.dot(v) + bristle.stiffness * s.dot(rate);
   }
 
   /// [N] |q| − cap

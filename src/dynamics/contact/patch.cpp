@@ -136,19 +136,15 @@ double Patch::potentialEnergy(const Pose& pose, const double* own) const {
   return energy;
 }
 
-// Of a bristle: what its pull does, and what goes into its spring.
 double Patch::externalPower(const Pose& pose, const double* own) const {
   if (!touches(modeOf(own))) return 0;
   const Now at = now(pose, own);
   double power = 0;
   for (std::size_t j = 0; j < at.count; ++j)
     if (at.mode & (kTouches << j)) power += at.point[j].externalPower(c_);
-  const auto add = [&power](const Bristle& bristle, const auto& s, const auto& v, const auto& of) {
-    power += of.pull.dot(v) + bristle.stiffness * s.dot(of.rate);
-  };
-  if (bristle_.exists()) add(bristle_, planePair(own + kSlide), at.v, slide(at, own));
-  if (spins()) add(spinning_, Vector1d(own[kSpin]), Vector1d(at.spin), spin(at, own));
-  if (rolling_.exists()) add(rolling_, planePair(own + kRoll), at.roll, roll(at, own));
+  if (bristle_.exists()) power += slide(at, own).power(bristle_, planePair(own + kSlide), at.v);
+  if (spins()) power += spin(at, own).power(spinning_, Vector1d(own[kSpin]), Vector1d(at.spin));
+  if (rolling_.exists()) power += roll(at, own).power(rolling_, planePair(own + kRoll), at.roll);
   return power;
 }
 
@@ -158,9 +154,8 @@ double Patch::rate(const Pose& pose, const double* own) const {
   double stiffness = bristle_.stiffness, damping = bristle_.damping, fastest = 0;
   for (std::size_t j = 0; j < at.count; ++j) {
     if (!(at.mode & (kTouches << j))) continue;
-    const double depth = std::max(at.point[j].depth, 0.0);
-    stiffness += c_.exponent * c_.stiffness * std::pow(depth, c_.exponent - 1);
-    damping += c_.stiffness * std::pow(depth, c_.exponent) * c_.dissipation;
+    stiffness += at.point[j].stiffness(c_);
+    damping += at.point[j].damping(c_);
   }
   if (bristle_.exists()) fastest = bristle_.stiffness / bristle_.damping;
   if (rolling_.exists()) fastest = std::max(fastest, rolling_.stiffness / rolling_.damping);
@@ -185,9 +180,8 @@ void Patch::setGuards(const Pose& pose, const double* own, double* guards) const
   std::fill_n(guards, guardCount(), 1.0);
   for (std::size_t j = 0; j < at.count; ++j) {
     const bool touching = (at.mode & (kTouches << j)) != 0;
-    guards[2 * j] = touching ? at.point[j].touchGuard() : -at.point[j].touchGuard();
-    const double push = 1 + c_.dissipation * at.point[j].rate;
-    if (touching) guards[2 * j + 1] = at.point[j].clipped ? -push : push;
+    guards[2 * j] = at.point[j].touchGuard(touching);
+    guards[2 * j + 1] = at.point[j].pushGuard(c_, touching);
   }
   if (!touches(at.mode)) return;
   double* of_bristles = guards + 2 * at.count;

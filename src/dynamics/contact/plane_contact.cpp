@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "dynamics/contact/flight_bound.hpp"
@@ -34,30 +35,33 @@ void PlaneContact::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) 
   }
 }
 
-double PlaneContact::potentialEnergy(const Bodies& at) const {
+/// Σ term(patch, pose, its own states)
+template <class Term>
+double PlaneContact::sum(const Bodies& at, const Term& term) const {
   const Patch::Pose pose = poseOf(at);
-  double energy = 0;
-  for (std::size_t i = 0; i < patches_.size(); ++i)
-    energy += patches_[i].potentialEnergy(pose, at.own + i * Patch::kOwnCount);
-  return energy;
+  const double* own = at.own;
+  double total = 0;
+  for (const Patch& patch : patches_) {
+    total += term(patch, pose, own);
+    own += Patch::kOwnCount;
+  }
+  return total;
+}
+
+double PlaneContact::potentialEnergy(const Bodies& at) const {
+  return sum(at, std::mem_fn(&Patch::potentialEnergy));
 }
 
 double PlaneContact::externalPower(const Bodies& at) const {
-  const Patch::Pose pose = poseOf(at);
-  double power = 0;
-  for (std::size_t i = 0; i < patches_.size(); ++i)
-    power += patches_[i].externalPower(pose, at.own + i * Patch::kOwnCount);
-  return power;
+  return sum(at, std::mem_fn(&Patch::externalPower));
 }
 
 double PlaneContact::rate(const Bodies& at, const std::vector<double>& /*speeds*/) const {
-  const Patch::Pose pose = poseOf(at);
-  double sum = 0;  // the squares of frequencies add up
-  for (std::size_t i = 0; i < patches_.size(); ++i) {
-    const double of_patch = patches_[i].rate(pose, at.own + i * Patch::kOwnCount);
-    sum += of_patch * of_patch;
-  }
-  return std::sqrt(sum);
+  // the squares of frequencies add up
+  return std::sqrt(sum(at, [](const Patch& patch, const Patch::Pose& pose, const double* own) {
+    const double of_patch = patch.rate(pose, own);
+    return of_patch * of_patch;
+  }));
 }
 
 double PlaneContact::reach(const Bodies& at) const { return std::abs(poseOf(at).height) + reach_; }

@@ -1,26 +1,24 @@
 #pragma once
 
+#include "dynamics/contact/contact_law.hpp"
 #include "dynamics/contact/patch.hpp"
 
 namespace rigid_body_sim {
 
 /// Contact of one body with a half-space: a patch for each of its features.
-class PlaneContact final : public ForceLaw {
+class PlaneContact final : public ContactLaw {
  public:
   PlaneContact(const Body& on, std::size_t body, const std::vector<Feature>& features,
                const HalfSpace& plane, const ContactParameters& parameters);
 
-  const char* name() const override { return "contact"; }
   std::vector<std::size_t> members() const override { return {body_}; }
   std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>& index) const override;
-  unsigned needs() const override { return kCoupling | kDamping | kLawStates | kContact; }
 
   void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
   double potentialEnergy(const Bodies& at) const override;
   double externalPower(const Bodies& at) const override;
   double rate(const Bodies& at, const std::vector<double>& speeds) const override;
-  bool hasRate() const override { return true; }
   double reach(const Bodies& at) const override;
 
   std::size_t stateCount() const override { return patches_.size() * Patch::kOwnCount; }
@@ -32,8 +30,6 @@ class PlaneContact final : public ForceLaw {
 
   double quietInFlight(double t, const Bodies& at,
                        const std::vector<MotionBound>& bounds) const override;
-  bool startsAnew() const override { return true; }
-  bool switchesSmoothly() const override { return true; }
   double longestStep(const Bodies& at, double precision) const override;
   void addContacts(const Bodies& at, std::vector<ContactPoint>& contacts) const override;
   void addContactEvents(const Bodies& at, const double* before,
@@ -43,6 +39,8 @@ class PlaneContact final : public ForceLaw {
   Patch::Pose poseOf(const Bodies& at) const {
     return {*at.bodies[body_], at.states[body_], plane_};
   }
+  template <class Term>
+  double sum(const Bodies& at, const Term& term) const;
   ContactPoint contactAt(const Patch::Pose& pose, const Patch& patch, const double* own) const;
 
   std::size_t body_;

@@ -36,7 +36,8 @@ StepBound Stepper::contactBound() const {
 /// [s] Within which the integrator is stable and its estimate can be believed.
 double Stepper::longestStep(const System& system, double h, const SystemState& states) const {
   // an estimate may vanish by accident, more often the longer the step: no step is tried that is
-  // far longer than those that the bound allows, as a rule
+  // far longer than those that the bound allows, as a rule. 12: of some 35 settings tried, the one
+  // that erred least on bouncing balls; no other motion was tried
   constexpr double kLongest = 12, kOrder = 8;
   const double turn = std::min(choice_.method->max_turn,
                                kLongest * std::pow(workspace_.step_bound.error, 1 / kOrder));

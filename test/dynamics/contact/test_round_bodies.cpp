@@ -56,6 +56,7 @@ TEST(Can, RocksUntilItStands) {
     EXPECT_LT(now - last, 1e-13);
     last = now;
   }
+  // measured: 7e-6 rad are left at 4 s
   EXPECT_LT(tiltOf(sim), 1e-4);
 }
 
@@ -106,7 +107,8 @@ TEST(TippeTop, KeepsJellettsIntegralWhileItTurnsOver) {
     sim.step();
     worst = std::max(worst, std::abs(jellett() / start - 1));
   }
-  EXPECT_GT(tiltOf(sim), 2.7);
+  EXPECT_GT(tiltOf(sim), 2.7);  // measured: 2.8 rad
+  // what this tolerance reaches; no bound on it is derived
   EXPECT_LT(worst, 1e-11);
 }
 
