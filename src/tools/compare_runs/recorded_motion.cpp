@@ -14,11 +14,10 @@
 #include <rosbag/view.h>
 
 #include "scene/message_text.hpp"
+#include "tools/common/csv_header.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-constexpr const char* kHeader = "time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz";
 
 Motion motionOf(const nav_msgs::Odometry& message) {
   const auto& [position, orientation] = message.pose.pose;
@@ -70,9 +69,9 @@ RecordedMotion motionOfCsv(const std::string& path) {
   std::string row;
   if (!file.is_open()) throw std::runtime_error(std::strerror(errno));
   std::getline(file, row);
-  if (row != kHeader)
+  if (row != kCsvHeader)
     throw std::runtime_error("neither a bag (.bag) nor a CSV file of simulate: line 1 must be " +
-                             std::string(kHeader));
+                             std::string(kCsvHeader));
   RecordedMotion motion;
   for (int line = 2; std::getline(file, row); ++line) {
     try {

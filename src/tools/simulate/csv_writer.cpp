@@ -4,12 +4,14 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "tools/common/csv_header.hpp"
+
 namespace rigid_body_sim {
 
 CsvWriter::CsvWriter(const std::string& path)
     : path_(path), file_(path == "-" ? stdout : std::fopen(path.c_str(), "w")) {
   if (!file_) fail();
-  std::fputs("time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n", file_);
+  std::fprintf(file_, "%s\n", kCsvHeader);
 }
 
 CsvWriter::~CsvWriter() {
