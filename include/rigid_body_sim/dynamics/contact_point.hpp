@@ -30,6 +30,9 @@ struct ContactEvent {
   Vector3d position_W = Vector3d::Zero();  ///< [m]
 };
 
+/// Whether a law of the world is one of contact.
+bool hasContact(const World& world);
+
 /// Everything that touches in a state, law by law in the order of World::laws.
 std::vector<ContactPoint> contactsOf(const World& world, const State& state);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 
 #include <rigid_body_sim/BodyStates.h>
 #include <rigid_body_sim/Contacts.h>
+#include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/world.hpp>
 
 #include "ros/outputs/topic.hpp"
@@ -42,12 +42,6 @@ struct TopicChoice {
   bool clock = false;         ///< /clock
   bool single_bodies = true;  ///< those of BodyTopics
 };
-
-/// Whether bodies can touch.
-inline bool hasContact(const World& world) {
-  return std::any_of(world.laws.begin(), world.laws.end(),
-                     [](const auto& law) { return (law->needs() & kContact) != 0; });
-}
 
 /// The topics of a body that moves, by the names that roscpp resolves. A Transport has
 ///   template <class Message> Topic<Message> open(const std::string& name, bool latched);

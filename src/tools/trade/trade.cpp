@@ -58,6 +58,11 @@ Trade measureTrade(const TradeOptions& options) {
   const double duration = options.duration.value_or(scene.horizon);
   requireCountable(duration, scene.time_step, "steps");
   const World world = buildWorld(scene);
+  if (hasContact(world))
+    throw std::runtime_error(options.scene +
+                             ": contact cannot be measured: only dop853 advances it, and no second "
+                             "integrator would check the reference; ~status of the node reports "
+                             "the estimated error");
   const State first = initialState(scene, world);
   const std::vector<std::string> integrators = integratorsFor(world, first);
   std::filesystem::create_directories(options.out);

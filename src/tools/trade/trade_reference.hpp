@@ -20,8 +20,8 @@ struct Reference {
 /// double, checked by Taylor series. Where nothing couples the bodies and nothing resists them:
 /// Taylor series in long double, checked by dop853. Else dop853, checked by kahan_li8 or, where
 /// there is drag or damping, by rk4. Steps are made shorter until the run gains no
-/// more. Throws SimulationDiverged where none of the steps goes through, StepTooLong, and
-/// std::runtime_error for contact, which dop853 alone advances.
+/// more. Throws SimulationDiverged where none of the steps goes through, and StepTooLong.
+/// Not for worlds with contact.
 Reference computeReference(const World& world, const State& initial, double duration);
 
 }  // namespace rigid_body_sim

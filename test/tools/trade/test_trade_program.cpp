@@ -197,7 +197,7 @@ TEST(TradeProgram, SaysThatItCannotMeasureContact) {
   const std::string scene = std::string(RIGID_BODY_SIM_SCENES) + "/bouncing_balls.yaml";
   const Outcome run = trade(scene + " --out " + newDirectory() + " 2>&1");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.out.rfind("trade: scenes with contact cannot be measured: only dop853", 0), 0U)
+  EXPECT_EQ(run.out.rfind("trade: " + scene + ": contact cannot be measured: only dop853", 0), 0U)
       << run.out;
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1);
 }
