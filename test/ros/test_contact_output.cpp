@@ -1,46 +1,13 @@
 #include <cmath>
-#include <set>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/scene/build_world.hpp>
-#include <rigid_body_sim/scene/load_scene.hpp>
-
-#include "ros/outputs/outputs.hpp"
+#include "support/published_run.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-/// Keeps what is published on ~contacts.
-struct ContactMemory {
-  template <class Message>
-  Topic<Message> open(const std::string& name, bool) {
-    names.insert(name);
-    return {[this] { return subscribers; },
-            [this](const Message& message, const ros::Time&) { keep(message); },
-            [this](const typename Topic<Message>::Greeting& greeting) { greet(greeting); }};
-  }
-
-  void keep(const Contacts& message) { messages.push_back(message); }
-  template <class Message>
-  void keep(const Message&) {}
-
-  void greet(const Topic<Contacts>::Greeting& greeting) { come = greeting; }
-  template <class Greeting>
-  void greet(const Greeting&) {}
-
-  std::vector<ContactChange> changes() const {
-    std::vector<ContactChange> all;
-    for (const Contacts& message : messages)
-      all.insert(all.end(), message.changes.begin(), message.changes.end());
-    return all;
-  }
-
-  std::set<std::string> names;
-  std::size_t subscribers = 1;
-  std::vector<Contacts> messages;
-  Topic<Contacts>::Greeting come;
-};
 
 constexpr double kGravity = 9.80665;  // [m/s²]
 constexpr double kHeight = 0.5;       // [m] of the ball's lowest point at the start
@@ -57,53 +24,36 @@ forces:
   - {type: contact, between: [ground, all], stiffness: 1.0e+5, dissipation: 1, friction: 0.5}
 )";
 
-/// A run that is published.
-struct TouchingRun {
-  explicit TouchingRun(double rate, const std::string& yaml = kBallAndPlate)
-      : scene(parseScene(yaml, "test")) {
-    options.publish_rate = rate;
-    outputs.emplace(openTopics(memory, world, {}), options, scene, simulation, origin);
-  }
+Scene ballAndPlate() { return parseScene(kBallAndPlate, "test"); }
 
-  void runUntil(double t_end) {
-    outputs->publishDue();
-    while (simulation.time() < t_end - 1e-9) {
-      outputs->publishWithinStep(1e9);
-      simulation.step();
-      outputs->publishDue();
-    }
-  }
-
-  Scene scene;
-  NodeOptions options;
-  World world = buildWorld(scene);
-  Simulation simulation{world, initialState(scene, world)};
-  TimeOrigin origin{ros::Time(1600000000, 0)};
-  ContactMemory memory;
-  std::optional<Outputs> outputs;
-};
+std::vector<ContactChange> changesOf(const test::PublishedRun& run) {
+  std::vector<ContactChange> all;
+  for (const Contacts& message : run.published.contacts)
+    all.insert(all.end(), message.changes.begin(), message.changes.end());
+  return all;
+}
 
 }  // namespace
 
 TEST(ContactOutput, IsATopicOfScenesWithContactOnly) {
-  EXPECT_EQ(TouchingRun(100).memory.names.count("~contacts"), 1U);
-  EXPECT_EQ(TouchingRun(100,
-                        "time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: "
-                        "1}]")
-                .memory.names.count("~contacts"),
-            0U);
+  const char* const kFreeBall =
+      "time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1}]";
+  const test::PublishedRun touching(ballAndPlate(), 100);
+  const test::PublishedRun free(parseScene(kFreeBall, "test"), 100);
+  EXPECT_EQ(touching.published.names.count("~contacts"), 1U);
+  EXPECT_EQ(free.published.names.count("~contacts"), 0U);
 }
 
 TEST(ContactOutput, NamesTouchesAndReleasesAtTheirInstants) {
-  TouchingRun run(10);
+  test::PublishedRun run(ballAndPlate(), 10);
   run.runUntil(0.5);
   std::vector<ContactChange> of_ball;
-  for (const ContactChange& change : run.memory.changes())
+  for (const ContactChange& change : changesOf(run))
     if (change.body == "ball") of_ball.push_back(change);
   ASSERT_EQ(of_ball.size(), 2U);
   EXPECT_TRUE(of_ball[0].touch);
   EXPECT_NEAR(of_ball[0].time, kTouch, 1e-9);
-  EXPECT_NEAR((of_ball[0].stamp - ros::Time(1600000000, 0)).toSec(), kTouch, 2e-9);
+  EXPECT_NEAR((of_ball[0].stamp - run.origin.start).toSec(), kTouch, 2e-9);
   EXPECT_EQ(of_ball[0].other, "ground");
   EXPECT_NEAR(of_ball[0].position.x, 1, 1e-9);
   EXPECT_NEAR(of_ball[0].position.y, 2, 1e-9);
@@ -113,10 +63,10 @@ TEST(ContactOutput, NamesTouchesAndReleasesAtTheirInstants) {
 }
 
 TEST(ContactOutput, RepeatsNoChangeAndLosesNone) {
-  TouchingRun seldom(3), often(1000);
+  test::PublishedRun seldom(ballAndPlate(), 3), often(ballAndPlate(), 1000);
   seldom.runUntil(0.7);
   often.runUntil(0.7);
-  const auto few = seldom.memory.changes(), all = often.memory.changes();
+  const auto few = changesOf(seldom), all = changesOf(often);
   ASSERT_GT(all.size(), 2U);
   // those after the last message are still to come
   ASSERT_LE(few.size(), all.size());
@@ -125,9 +75,9 @@ TEST(ContactOutput, RepeatsNoChangeAndLosesNone) {
 }
 
 TEST(ContactOutput, CarriesTheWeightOfWhatRests) {
-  TouchingRun run(100);
+  test::PublishedRun run(ballAndPlate(), 100);
   run.runUntil(3);
-  const Contacts& last = run.memory.messages.back();
+  const Contacts& last = run.published.contacts.back();
   EXPECT_EQ(last.header.frame_id, "world");
   double weight = 0;
   int corners = 0;
@@ -145,24 +95,26 @@ TEST(ContactOutput, CarriesTheWeightOfWhatRests) {
 }
 
 TEST(ContactOutput, IsNotComputedWithoutSubscribers) {
-  TouchingRun run(100);
-  run.memory.subscribers = 0;
+  test::PublishedRun run(ballAndPlate(), 100);
+  run.published.subscribers = 0;
   run.runUntil(0.4);  // the ball has touched
-  EXPECT_TRUE(run.memory.messages.empty());
-  run.memory.subscribers = 1;
+  EXPECT_TRUE(run.published.contacts.empty());
+  run.published.subscribers = 1;
   run.runUntil(0.45);
-  for (const ContactChange& change : run.memory.changes()) EXPECT_GT(change.time, 0.4 - 2e-3);
+  for (const ContactChange& change : changesOf(run)) EXPECT_GT(change.time, 0.4 - 2e-3);
 }
 
 TEST(ContactOutput, GreetsWithWhatTouchesWhileTimeStands) {
-  TouchingRun run(100);
+  test::PublishedRun run(ballAndPlate(), 100);
   run.runUntil(0.1);
-  EXPECT_FALSE(run.memory.come());
-  run.outputs->setStanding(true);
-  const auto greeting = run.memory.come();
-  ASSERT_TRUE(greeting);
-  EXPECT_EQ(greeting->contacts.size(), 4U);
-  EXPECT_TRUE(greeting->changes.empty());
+  const std::size_t before = run.published.contacts.size();
+  run.published.come.at("~contacts")();
+  EXPECT_EQ(run.published.contacts.size(), before);
+  run.outputs.setStanding(true);
+  run.published.come.at("~contacts")();
+  ASSERT_EQ(run.published.contacts.size(), before + 1);
+  EXPECT_EQ(run.published.contacts.back().contacts.size(), 4U);
+  EXPECT_TRUE(run.published.contacts.back().changes.empty());
 }
 
 }  // namespace rigid_body_sim

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@ namespace rigid_body_sim::test {
 struct PublishedMessages {
   template <class Message>
   Topic<Message> open(const std::string& name, bool) {
+    names.insert(name);
     return {[this] { return subscribers; },
             [this, name](const Message& message, const ros::Time&) { keep(name, message); },
             [this, name](const typename Topic<Message>::Greeting& greeting) {
@@ -34,27 +37,32 @@ struct PublishedMessages {
   }
   void keep(const std::string&, const tf2_msgs::TFMessage& m) { tf.push_back(m); }
   void keep(const std::string&, const BodyStates& m) { states.push_back(m); }
+  void keep(const std::string&, const Contacts& m) { contacts.push_back(m); }
   void keep(const std::string&, const rosgraph_msgs::Clock& m) { clock.push_back(m.clock); }
   template <class Message>
   void keep(const std::string& name, const Message&) {
     ++others[name];
   }
 
+  std::set<std::string> names;  // of the topics
   std::map<std::string, std::function<void()>> come;
   std::size_t subscribers = 1;
   std::map<std::string, std::vector<nav_msgs::Odometry>> odometry;
   std::map<std::string, std::vector<geometry_msgs::WrenchStamped>> applied;
   std::vector<tf2_msgs::TFMessage> tf;  // the static ones first
   std::vector<BodyStates> states;
+  std::vector<Contacts> contacts;
   std::vector<ros::Time> clock;
   std::map<std::string, int> others;
 };
 
-/// A run under wrenches with all that it publishes.
+/// A run with all that it publishes, /clock too.
 struct PublishedRun {
-  /// With a rate of 0 [Hz] at every step.
+  PublishedRun(const Scene& of_scene, double rate) : scene(of_scene), options(optionsOf(rate)) {}
+
+  /// Under wrenches; with a rate of 0 [Hz] at every step.
   explicit PublishedRun(double time_step, double rate = 0)
-      : scene(sceneOf(time_step)), options(optionsOf(rate > 0 ? rate : 1 / time_step)) {}
+      : PublishedRun(sceneOf(time_step), rate > 0 ? rate : 1 / time_step) {}
 
   static NodeOptions optionsOf(double rate) {
     NodeOptions at_rate;
@@ -90,6 +98,10 @@ wrenches:
       simulation.step();
       outputs.publishDue();
     }
+  }
+
+  void runUntil(double t_end) {
+    steps(static_cast<int>(std::lround((t_end - simulation.time()) / scene.time_step)));
   }
 
   Scene scene;
