@@ -26,7 +26,7 @@ ErrorTracker::ErrorTracker(const Run& run) {
 }
 
 void ErrorTracker::start(const Run& run) {
-  const std::vector<Group>& groups = run.groups();
+  const std::vector<Group>& groups = run.groups().all();
   if (!std::all_of(groups.begin(), groups.end(),
                    [&](const Group& group) { return solvedToRounding(run, group); }))
     coarse_ = run.atTwiceTheStep();
@@ -45,7 +45,7 @@ void ErrorTracker::follow(const Run& run) {
     estimate_.attitude = estimate_.position = std::numeric_limits<double>::infinity();
     return;
   }
-  for (const Group& group : run.groups()) {
+  for (const Group& group : run.groups().all()) {
     if (solvedToRounding(run, group)) continue;
     // a solved motion is compared with itself solved to rounding
     const double ratio = excessOf(run, group);

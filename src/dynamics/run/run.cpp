@@ -45,13 +45,12 @@ void Run::step(ExchangeMeter& meter) { stepMetered(meter); }
 template <class... Meter>
 void Run::stepMetered(Meter&... meter) {
   const double t_end = static_cast<double>(steps_ + 1) * world_->solver.time_step;
-  step_.advanced.clear();
-  step_.scheduled.clear();
+  step_.start();
   try {
-    if (next_link_ <= t_end || watch_from_ <= t_end) advanceLinking(t_end, meter...);
+    if (next_link_ <= t_end || watches_.quietUntil() <= t_end) advanceLinking(t_end, meter...);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-      if (t_end < known_until_[g] && sizeof...(Meter) == 0) continue;
-      begin(g, t_end);
+      if (t_end < groups_.knownUntil(g) && sizeof...(Meter) == 0) continue;
+      step_.beginGroup(g, t_end, groups_, schedules_);
       advance(groups_[g], t_end, schedules_, meter...);
     }
   } catch (const SimulationDiverged&) {
@@ -74,71 +73,25 @@ void Run::advance(Group& group, double t_end, std::vector<WrenchSchedule>& sched
   requireFinite(*world_, group, t);
 }
 
-/// Keeps what takeBack needs.
-void Run::begin(std::size_t group, double t_end) {
-  known_until_[group] = kNotKnown;
-  step_.advanced.push_back(group);
-  for (std::size_t body : groups_[group].members())
-    if (schedules_[body].nextEvent() <= t_end && !schedules_[body].isInStep()) {
-      schedules_[body].beginStep();
-      step_.scheduled.push_back(body);
-    }
-}
-
-/// Makes a step that has failed one that was never begun.
 void Run::takeBack() {
-  for (std::size_t body : step_.scheduled) schedules_[body].takeBack();
-  if (step_.regrouped.empty()) {
-    for (std::size_t g : step_.advanced) groups_[g].rollBack(schedules_);
-  } else {
-    takeBackGroups();
-  }
-  for (std::size_t g = 0; g < groups_.size(); ++g)
-    known_until_[g] = groups_[g].knownUntil(schedules_);
-  for (LawWatch& watch : watches_) watch.wakeUp();
-  if (!watches_.empty()) watch_from_ = kNotKnown;
+  const bool regrouped = step_.hasRegrouped();
+  step_.takeBack(*world_, groups_, schedules_, law_states_);
+  if (regrouped) findNextLink();
+  watches_.wakeUp();
 }
 
-/// The same where groups were linked or parted in the step.
-void Run::takeBackGroups() {
-  std::vector<std::size_t> bodies;
-  for (const Group& found : step_.regrouped)
-    bodies.insert(bodies.end(), found.members().begin(), found.members().end());
-  const std::int64_t evaluations = evaluations_;
-  removeGroups(bodies);
-  evaluations_ = evaluations;
-  for (Group& group : groups_) group.rollBack(schedules_);
-  for (Group& found : step_.regrouped) addGroup(std::move(found));
-  law_states_ = step_.law_states;
-  step_.regrouped.clear();
-  findNextLink();
-}
-
-/// Makes the step's end the present.
 void Run::accept(double t_end) {
-  for (std::size_t body : step_.scheduled) schedules_[body].accept();
-  std::vector<std::size_t> switched;
-  for (std::size_t g : step_.advanced) {
-    groups_[g].accept(t_end);
-    known_until_[g] = groups_[g].knownUntil(schedules_);
-    if (groups_[g].switchedModes()) {
-      const auto& members = groups_[g].members();
-      switched.insert(switched.end(), members.begin(), members.end());
-    }
-  }
+  if (step_.hasRegrouped()) findNextLink();
+  const std::vector<std::size_t> switched = step_.accept(t_end, groups_, schedules_);
   time_ = t_end;
   ++steps_;
-  if (!step_.regrouped.empty()) {
-    step_.regrouped.clear();
-    findNextLink();
-  }
   if (!switched.empty()) regroup(switched, t_end);
 }
 
 std::vector<double> Run::lawStates() const {
   std::vector<double> states = law_states_;
   if (!states.empty())
-    for (const Group& group : groups_) group.putLawStates(laws_, states);
+    for (const Group& group : groups_.all()) group.putLawStates(laws_, states);
   return states;
 }
 
@@ -149,7 +102,7 @@ State Run::state() const {
   state.bodies.reserve(world_->bodies.size());
   for (std::size_t i = 0; i < world_->bodies.size(); ++i) state.bodies.push_back(body(i));
   state.anchors.resize(world_->bodies.size());
-  for (const Group& group : groups_) {
+  for (const Group& group : groups_.all()) {
     for (std::size_t k = 0; k < group.members().size(); ++k)
       state.anchors[group.members()[k]] = group.anchorOf(k);
     state.plans.push_back(toPlan(group));
@@ -158,7 +111,7 @@ State Run::state() const {
 }
 
 State Run::sample(double t) const {
-  if (next_link_ <= t || watch_from_ <= t) return sampleLinking(t);
+  if (next_link_ <= t || watches_.quietUntil() <= t) return sampleLinking(t);
   State sampled;
   sampled.t = t;
   sampled.laws = lawStates();
@@ -166,7 +119,7 @@ State Run::sample(double t) const {
   std::vector<WrenchSchedule> schedules;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const std::vector<std::size_t>& members = groups_[g].members();
-    if (t < known_until_[g] || t <= time_) {
+    if (t < groups_.knownUntil(g) || t <= time_) {
       for (std::size_t k = 0; k < members.size(); ++k)
         sampled.bodies[members[k]] = groups_[g].at(std::max(t, time_), k);
       continue;
@@ -187,7 +140,7 @@ State Run::sampleLinking(double t) const {
   Run copy = *this;
   if (t > time_) {
     copy.advanceLinking(t);
-    for (Group& group : copy.groups_) {
+    for (Group& group : copy.groups_.all()) {
       copy.advance(group, t, copy.schedules_);
       group.accept(t);
     }
@@ -197,18 +150,6 @@ State Run::sampleLinking(double t) const {
   sampled.anchors.clear();
   sampled.plans.clear();
   return sampled;
-}
-
-int Run::maxSubsteps() const {
-  int most = max_substeps_;
-  for (const Group& group : groups_) most = std::max(most, group.maxSubsteps());
-  return most;
-}
-
-std::int64_t Run::evaluations() const {
-  std::int64_t sum = evaluations_;
-  for (const Group& group : groups_) sum += group.evaluations();
-  return sum;
 }
 
 template void Run::advance(Group&, double, std::vector<WrenchSchedule>&) const;

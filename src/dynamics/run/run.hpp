@@ -1,15 +1,13 @@
 #pragma once
 
-#include <limits>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
-#include "dynamics/run/group.hpp"
-#include "dynamics/run/law_watch.hpp"
+#include "dynamics/run/law_watches.hpp"
 #include "dynamics/run/method_planner.hpp"
+#include "dynamics/run/step_record.hpp"
 
 namespace rigid_body_sim {
 
@@ -36,7 +34,7 @@ class Run {
 
   BodyState body(std::size_t body) const {
     if (world_->bodies[body].fixed) return start_->bodies[body];
-    return groups_[group_of_[body]].at(time_, member_of_[body]);
+    return groups_.at(body, time_);
   }
   State state() const;
 
@@ -44,10 +42,8 @@ class Run {
   State sample(double t) const;
 
   const std::vector<WrenchSchedule>& schedules() const { return schedules_; }
-  const std::vector<Group>& groups() const { return groups_; }
+  const Groups& groups() const { return groups_; }
   const MethodPlanner& planner() const { return planner_; }
-  int maxSubsteps() const;
-  std::int64_t evaluations() const;
 
   /// Whether any law of the world is a contact.
   bool hasContacts() const { return !laws_.contacts().empty(); }
@@ -67,41 +63,17 @@ class Run {
   void reset(bool restart_time);
 
  private:
-  static constexpr double kNever = std::numeric_limits<double>::infinity();
-  static constexpr double kNotKnown = -kNever;
-
-  /// What a step has begun, and takes back where it fails.
-  struct Step {
-    std::vector<std::size_t> advanced;   // groups
-    std::vector<std::size_t> scheduled;  // bodies with an event within it
-    std::vector<Group> regrouped;    // groups as it found them, that were linked or parted in it
-    std::vector<double> law_states;  // as it found them, where there were such
-  };
-
   void place(const State& start, bool scheduled);
   void formGroups(const State& start, bool scheduled);
-  void addGroup(Group group);
-  void removeGroups(const std::vector<std::size_t>& bodies);
   void findNextLink();
-  void watchLaws();
-  void findNextWatch();
-  void wakeWatches(const std::vector<std::size_t>& bodies);
-  void startContacts(const std::vector<std::size_t>& laws, const std::vector<BodyState>& bodies);
-  void restartContacts(std::size_t body);
-  bool isWatched(const LawWatch& watch) const;
-  struct WatchedEvent {
-    LawWatch* watch;
-    double t;            // [s]
-    bool links = false;  // its bodies, and does not act yet
-  };
-  std::optional<WatchedEvent> firstWatchedEvent(double t_end);
-  bool isSolved(const LawWatch& watch) const;
-  bool isNear(const LawWatch& watch, double t, double t_end) const;
-  void partFromNear(double t_end);
+  std::vector<std::size_t> linkedFrom(double t) const;
   template <class... Meter>
   void stepMetered(Meter&... meter);
   template <class... Meter>
   void advanceLinking(double t_end, Meter&... meter);
+  void beginLinking(double t_end);
+  template <class... Meter>
+  void advanceToEvent(const LawWatches::Event& event, double t_end, Meter&... meter);
   template <class... Meter>
   void advanceTo(double t, double t_end, const std::vector<std::size_t>& bodies, Meter&... meter);
   template <class... Meter>
@@ -111,40 +83,32 @@ class Run {
   template <class... Meter>
   void advance(Group& group, double t_end, std::vector<WrenchSchedule>& schedules,
                Meter&... meter) const;
-  void begin(std::size_t group, double t_end);
-  void takeBack();
-  void takeBackGroups();
   void accept(double t_end);
-  std::vector<std::size_t> groupsOf(const std::vector<std::size_t>& bodies) const;
-  std::vector<std::size_t> linkedFrom(double t) const;
+  void takeBack();
   void regroup(const std::vector<std::size_t>& bodies, double t, bool anew = false);
   void restartGroup(std::size_t body);
   void disturb(std::size_t body);
+  void startContacts(const std::vector<std::size_t>& laws, const std::vector<BodyState>& bodies);
+  void restartContacts(std::size_t body);
   State sampleLinking(double t) const;
   BodyState bodyAt(std::size_t body, double t) const;
   std::vector<double> lawStates() const;
+  WatchedRun watched() const;
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const State> start_;
   LawTable laws_;
   MethodPlanner planner_;
-  std::vector<LawWatch> watches_;  // of laws that may begin to act
+  LawWatches watches_;
   std::int64_t steps_ = 0;
   double time_ = 0;
   std::vector<double> law_states_;         // State::laws; of laws that act, as old as their group
   std::vector<WrenchSchedule> schedules_;  // one per body
-  std::vector<Group> groups_;
-  std::vector<double> known_until_;     // Group's, index by index; or kNotKnown
-  std::vector<std::size_t> group_of_;   // body -> index in groups_; ignored for a fixed body
-  std::vector<std::size_t> member_of_;  // body -> index among the members of its group; likewise
-  double next_link_ = kNever;           // [s] when wrenches link or part
-  double watch_from_ = kNever;          // [s] when laws may begin or cease to act
-  std::set<std::size_t> near_;  // contacts that link bodies without acting; of the present step
+  Groups groups_;
+  double next_link_ = 0;  // [s] when wrenches link or part bodies
   std::vector<ContactEvent> contact_events_;
   std::int64_t contact_events_step_ = 0;  // the step at the end of which they hold
-  Step step_;
-  int max_substeps_ = 1;          // of groups that are no more
-  std::int64_t evaluations_ = 0;  // likewise
+  StepRecord step_;
 };
 
 }  // namespace rigid_body_sim

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "dynamics/run/run.hpp"
@@ -9,11 +8,14 @@
 namespace rigid_body_sim {
 
 Run::Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start)
-    : world_(std::move(world)), start_(std::move(start)), laws_(*world_), planner_(*world_) {
+    : world_(std::move(world)),
+      start_(std::move(start)),
+      laws_(*world_),
+      planner_(*world_),
+      watches_(*world_, laws_) {
   for (const PointWrench& wrench : world_->wrenches)
     if (!HeldWrench::holds(wrench))
       planner_.requireSupport(kCoupling, world_->bodies[wrench.body].name);
-  watchLaws();
   for (const auto& law : world_->laws)
     planner_.requireSupport(law->needs(), world_->bodies[law->members().front()].name);
   planner_.take(start_->plans);
@@ -29,16 +31,16 @@ Run Run::atTwiceTheStep() const {
   coarse.planner_.doubleTurns();
   coarse.steps_ = steps_ / 2;
   coarse.law_states_ = lawStates();
-  coarse.watchLaws();
-  coarse.groups_.clear();
-  coarse.known_until_.clear();
-  for (const Group& group : groups_) {
+  coarse.watches_ = LawWatches(*coarse.world_, laws_, watches_.near());
+  coarse.groups_.clear(world_->bodies.size());
+  for (const Group& group : groups_.all()) {
     MethodChoice choice = group.choice();
     choice.max_turn_share *= 2;
     std::vector<BodyState> states;
     for (std::size_t k = 0; k < group.members().size(); ++k) states.push_back(group.at(time_, k));
-    coarse.addGroup(Group(*coarse.world_, laws_, group.bodies(), choice, time_, std::move(states),
-                          coarse.law_states_, schedules_));
+    coarse.groups_.add(Group(*coarse.world_, laws_, group.bodies(), choice, time_,
+                             std::move(states), coarse.law_states_, schedules_),
+                       schedules_);
   }
   return coarse;
 }
@@ -64,21 +66,14 @@ void Run::place(const State& start, bool scheduled) {
   for (WrenchSchedule& schedule : schedules_) schedule.advanceTo(time_);
   law_states_ = start.laws.empty() ? laws_.start(*world_) : start.laws;
   contact_events_.clear();
-  near_.clear();
   if (start.laws.empty()) startContacts(laws_.contacts(), start.bodies);
-  max_substeps_ = 1;
-  evaluations_ = 0;
-  for (LawWatch& watch : watches_) watch.wakeUp();
-  watch_from_ = watches_.empty() ? kNever : kNotKnown;
+  watches_.restart();
   formGroups(start, scheduled);
   findNextLink();
 }
 
 void Run::formGroups(const State& start, bool scheduled) {
-  groups_.clear();
-  known_until_.clear();
-  group_of_.assign(world_->bodies.size(), 0);
-  member_of_.assign(world_->bodies.size(), 0);
+  groups_.clear(world_->bodies.size());
   const std::vector<CoupledBodies> all =
       coupledBodies(*world_, laws_, law_states_, schedules_, movingBodies(*world_));
   const auto trials = std::count_if(all.begin(), all.end(), [this](const CoupledBodies& bodies) {
@@ -95,39 +90,7 @@ void Run::formGroups(const State& start, bool scheduled) {
       group.anchor(start.anchors[bodies.members[0]], schedules_);
     else if (!choice.method && !laws_.contacts().empty())
       group.anchor({time_, start.bodies[bodies.members[0]]}, schedules_);
-    addGroup(std::move(group));
-  }
-}
-
-void Run::addGroup(Group group) {
-  for (std::size_t k = 0; k < group.members().size(); ++k) {
-    group_of_[group.members()[k]] = groups_.size();
-    member_of_[group.members()[k]] = k;
-  }
-  known_until_.push_back(group.knownUntil(schedules_));
-  groups_.push_back(std::move(group));
-}
-
-std::vector<std::size_t> Run::groupsOf(const std::vector<std::size_t>& bodies) const {
-  std::set<std::size_t> groups;
-  for (std::size_t body : bodies)
-    if (!world_->bodies[body].fixed) groups.insert(group_of_[body]);
-  return {groups.begin(), groups.end()};
-}
-
-/// Those of which any of the bodies is a member. What a run counts outlives them.
-void Run::removeGroups(const std::vector<std::size_t>& bodies) {
-  const std::vector<std::size_t> groups = groupsOf(bodies);
-  for (auto g = groups.rbegin(); g != groups.rend(); ++g) {
-    max_substeps_ = std::max(max_substeps_, groups_[*g].maxSubsteps());
-    evaluations_ += groups_[*g].evaluations();
-    if (*g + 1 < groups_.size()) {
-      groups_[*g] = std::move(groups_.back());
-      known_until_[*g] = known_until_.back();
-      for (std::size_t body : groups_[*g].members()) group_of_[body] = *g;
-    }
-    groups_.pop_back();
-    known_until_.pop_back();
+    groups_.add(std::move(group), schedules_);
   }
 }
 
@@ -135,7 +98,7 @@ void Run::removeGroups(const std::vector<std::size_t>& bodies) {
 /// before goes on as it is.
 void Run::regroup(const std::vector<std::size_t>& bodies, double t, bool anew) {
   std::vector<std::size_t> all;
-  for (std::size_t g : groupsOf(bodies)) {
+  for (std::size_t g : groups_.indicesOf(*world_, bodies)) {
     const std::vector<std::size_t>& members = groups_[g].members();
     all.insert(all.end(), members.begin(), members.end());
     if (!anew) groups_[g].putLawStates(laws_, law_states_);
@@ -143,15 +106,14 @@ void Run::regroup(const std::vector<std::size_t>& bodies, double t, bool anew) {
   std::sort(all.begin(), all.end());
   std::vector<Group> formed;
   for (const CoupledBodies& linked :
-       coupledBodies(*world_, laws_, law_states_, schedules_, all, near_)) {
+       coupledBodies(*world_, laws_, law_states_, schedules_, all, watches_.near())) {
     const MethodChoice choice = planner_.later(*world_, linked, schedules_);
-    const std::size_t g = group_of_[linked.members[0]];
-    const bool same = groups_[g].bodies() == linked;
+    const Group& present = groups_.of(linked.members[0]);
+    const bool same = present.bodies() == linked;
     const bool solvable = !choice.method;
-    if (!anew && same && solvable == !groups_[g].choice().method) continue;
+    if (!anew && same && solvable == !present.choice().method) continue;
     std::vector<BodyState> states;
-    for (std::size_t body : linked.members)
-      states.push_back(groups_[group_of_[body]].at(t, member_of_[body]));
+    for (std::size_t body : linked.members) states.push_back(groups_.at(body, t));
     const BodyState first = states.front();
     formed.push_back(
         Group(*world_, laws_, linked, choice, t, std::move(states), law_states_, schedules_));
@@ -161,9 +123,9 @@ void Run::regroup(const std::vector<std::size_t>& bodies, double t, bool anew) {
   std::vector<std::size_t> changed;
   for (const Group& group : formed)
     changed.insert(changed.end(), group.members().begin(), group.members().end());
-  removeGroups(changed);
-  for (Group& group : formed) addGroup(std::move(group));
-  wakeWatches(all);
+  groups_.remove(groups_.indicesOf(*world_, changed));
+  for (Group& group : formed) groups_.add(std::move(group), schedules_);
+  watches_.wakeUp(all);
 }
 
 void Run::put(const std::string& slot, const PointWrench& wrench) {
@@ -192,22 +154,22 @@ bool Run::clear(std::size_t body, const std::string& slot) {
 void Run::setState(std::size_t body, const BodyState& state) {
   disturb(body);
   restartGroup(body);
-  groups_[group_of_[body]].setState(member_of_[body], state);
+  groups_.of(body).setState(groups_.memberOf(body), state);
   restartContacts(body);
 }
 
 /// Begins anew from the present, what acts on a body or its state being another from now on.
 void Run::restartGroup(std::size_t body) {
-  Group& group = groups_[group_of_[body]];
+  Group& group = groups_.of(body);
   for (std::size_t member : group.members()) schedules_[member].advanceTo(time_);
   group.restart(time_, schedules_);
-  known_until_[group_of_[body]] = kNotKnown;
+  groups_.forgetKnown(groups_.indexOf(body));
 }
 
 /// Bodies that act on one another no longer move as the scene predicted.
 void Run::disturb(std::size_t body) {
-  groups_[group_of_[body]].fallBackToErrorControl();
-  if (!watches_.empty()) wakeWatches(groups_[group_of_[body]].members());
+  groups_.of(body).fallBackToErrorControl();
+  watches_.wakeUp(groups_.of(body).members());
 }
 
 }  // namespace rigid_body_sim

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "dynamics/run/run.hpp"
 
@@ -8,7 +8,7 @@
 namespace rigid_body_sim {
 
 void Run::findNextLink() {
-  next_link_ = kNever;
+  next_link_ = std::numeric_limits<double>::infinity();
   for (const WrenchSchedule& schedule : schedules_)
     next_link_ = std::min(next_link_, schedule.nextCoupling());
 }
@@ -21,89 +21,40 @@ std::vector<std::size_t> Run::linkedFrom(double t) const {
   return bodies;
 }
 
-void Run::watchLaws() {
-  watches_.clear();
-  for (std::size_t law : laws_.guarded())
-    watches_.emplace_back(*world_, law, laws_.firstState(law));
-  watch_from_ = watches_.empty() ? kNever : kNotKnown;
-}
-
-/// Those of laws on these bodies; ascending.
-void Run::wakeWatches(const std::vector<std::size_t>& bodies) {
-  for (LawWatch& watch : watches_) {
-    const auto isHere = [&bodies](std::size_t body) {
-      return std::binary_search(bodies.begin(), bodies.end(), body);
-    };
-    if (!std::any_of(watch.members().begin(), watch.members().end(), isHere)) continue;
-    watch.wakeUp();
-    watch_from_ = kNotKnown;
-  }
-}
-
-/// Whether its law does not act, nor belong to a group that looks after it.
-bool Run::isWatched(const LawWatch& watch) const {
-  if (world_->laws[watch.law()]->acts(law_states_.data() + watch.firstState())) return false;
-  const Group& group = groups_[group_of_[watch.members().front()]];
-  return !(group.mayStop() && group.follows(watch.law()));
-}
-
-void Run::findNextWatch() {
-  watch_from_ = kNever;
-  for (const LawWatch& watch : watches_)
-    if (isWatched(watch)) watch_from_ = std::min(watch_from_, watch.quietUntil());
-  for (const Group& group : groups_)
-    if (group.mayStop()) watch_from_ = kNotKnown;
-}
-
 /// The state of a body at a time within the step.
 BodyState Run::bodyAt(std::size_t body, double t) const {
   if (world_->bodies[body].fixed) return start_->bodies[body];
-  const std::size_t g = group_of_[body];
-  if (t < known_until_[g] || t <= std::max(time_, groups_[g].time()))
-    return groups_[g].at(t, member_of_[body]);
+  const std::size_t g = groups_.indexOf(body);
+  if (t < groups_.knownUntil(g) || t <= std::max(time_, groups_[g].time()))
+    return groups_.at(body, t);
   Group group = groups_[g];
   std::vector<WrenchSchedule> schedules = schedules_;
   advance(group, t, schedules);
-  return group.advanced().bodies[member_of_[body]];
+  return group.advanced().bodies[groups_.memberOf(body)];
 }
 
-/// The first instant up to t_end at which a law begins to act.
-std::optional<Run::WatchedEvent> Run::firstWatchedEvent(double t_end) {
-  const auto motion = [this](std::size_t body, double t) { return bodyAt(body, t); };
-  const auto bound = [this](std::size_t body) {
-    return groups_[group_of_[body]].motionBound(schedules_);
-  };
-  std::optional<WatchedEvent> first;
-  for (LawWatch& watch : watches_) {
-    const double until = first ? first->t : t_end;
-    if (until < watch.quietUntil() || !isWatched(watch)) continue;
-    double from = time_;
-    for (std::size_t body : watch.members()) from = std::max(from, groups_[group_of_[body]].time());
-    if (!(from < until)) continue;
-    const double* own = law_states_.data() + watch.firstState();
-    if (!isSolved(watch)) {
-      if (watch.members().size() > 1 && isNear(watch, from, until))
-        first = WatchedEvent{&watch, from, true};
-      if (watch.members().size() > 1) continue;
-    }
-    try {
-      if (const std::optional<double> t = watch.firstEvent(from, until, own, motion, bound))
-        first = WatchedEvent{&watch, *t};
-    } catch (const StepTooLong& reason) {
-      throw SimulationDiverged(from, world_->bodies[watch.members().front()].name, reason.what());
-    }
-  }
-  return first;
+WatchedRun Run::watched() const {
+  return {*world_,     groups_, schedules_,
+          law_states_, time_,   [this](std::size_t body, double t) { return bodyAt(body, t); }};
+}
+
+/// Before bodies are linked or parted within a step. Parts those that were linked for no more than
+/// being near, where they are no longer; the same for a run that is taken up here.
+void Run::beginLinking(double t_end) {
+  step_.beginRegrouping(groups_, lawStates());
+  contact_events_.clear();
+  contact_events_step_ = steps_ + 1;
+  if (watches_.near().empty()) return;
+  law_states_ = lawStates();
+  const std::vector<std::size_t> parted = watches_.forgetFar(watched(), t_end);
+  if (!parted.empty()) regroup(parted, time_);
 }
 
 /// Advances those groups that wrenches link or part within the step, or a law that begins or ceases
 /// to act, to that instant, and forms them anew there.
 template <class... Meter>
 void Run::advanceLinking(double t_end, Meter&... meter) {
-  step_.law_states = lawStates();
-  contact_events_.clear();
-  contact_events_step_ = steps_ + 1;
-  partFromNear(t_end);
+  beginLinking(t_end);
   constexpr int kMaxLinks = 100000;
   for (int links = 0;; ++links) {
     if (links == kMaxLinks)
@@ -111,17 +62,8 @@ void Run::advanceLinking(double t_end, Meter&... meter) {
                                "a step links and parts bodies 100000 times");
     if (links > 0) findNextLink();
     const double limit = std::min(t_end, next_link_);
-    if (const std::optional<WatchedEvent> event = firstWatchedEvent(limit)) {
-      advanceTo(event->t, t_end, event->watch->members(), meter...);
-      if (event->links) {
-        near_.insert(event->watch->law());
-        regroup(event->watch->members(), event->t);
-        continue;
-      }
-      event->watch->switchModes(
-          event->t, law_states_.data() + event->watch->firstState(),
-          [this](std::size_t body, double t) { return bodyAt(body, t); }, contact_events_);
-      regroup(event->watch->members(), event->t);
+    if (const auto event = watches_.firstEvent(watched(), limit)) {
+      advanceToEvent(*event, t_end, meter...);
     } else if (!advanceContact(limit, t_end, meter...)) {
       if (!(next_link_ <= t_end)) break;
       const double t = next_link_;
@@ -132,7 +74,20 @@ void Run::advanceLinking(double t_end, Meter&... meter) {
   }
   std::stable_sort(contact_events_.begin(), contact_events_.end(),
                    [](const ContactEvent& a, const ContactEvent& b) { return a.t < b.t; });
-  findNextWatch();
+  watches_.findQuiet(watched());
+}
+
+/// Advances the bodies of a law to the instant from which on it acts.
+template <class... Meter>
+void Run::advanceToEvent(const LawWatches::Event& event, double t_end, Meter&... meter) {
+  const LawWatch& watch = *event.watch;
+  advanceTo(event.t, t_end, watch.members(), meter...);
+  if (event.is_near)
+    watches_.setNear(watch);
+  else
+    watch.switchModes(event.t, law_states_.data() + watch.firstState(), watched().motion,
+                      contact_events_);
+  regroup(watch.members(), event.t);
 }
 
 /// Advances the groups with contact to the limit, or until one of them stops where a contact begins
@@ -155,21 +110,14 @@ bool Run::advanceContact(double limit, double t_end, Meter&... meter) {
 template <class... Meter>
 void Run::advanceTo(double t, double t_end, const std::vector<std::size_t>& bodies,
                     Meter&... meter) {
-  for (std::size_t g : groupsOf(bodies)) advanceGroup(g, t, t_end, meter...);
+  for (std::size_t g : groups_.indicesOf(*world_, bodies)) advanceGroup(g, t, t_end, meter...);
 }
 
 /// Returns where it has led to, t unless the group stops before.
 template <class... Meter>
 double Run::advanceGroup(std::size_t g, double t, double t_end, Meter&... meter) {
-  begin(g, t_end);
-  step_.advanced.pop_back();  // it is another by the end of the step
-  const std::size_t first = groups_[g].members().front();
-  const bool is_found =
-      groups_[g].time() <= time_ &&
-      std::none_of(step_.regrouped.begin(), step_.regrouped.end(), [&](const Group& kept) {
-        return std::binary_search(kept.members().begin(), kept.members().end(), first);
-      });
-  if (is_found) step_.regrouped.push_back(groups_[g]);
+  step_.beginGroup(g, t_end, groups_, schedules_);
+  step_.keepGroup(g, time_, groups_);
   advance(groups_[g], t, schedules_, meter...);
   const double reached = groups_[g].advancedTo(t);
   groups_[g].accept(reached);

@@ -156,12 +156,12 @@ Wrench Simulation::appliedWrench(std::size_t body) const {
 
 std::vector<MotionPlan> Simulation::plans() const {
   std::vector<MotionPlan> plans;
-  for (const Group& group : parts_->run.groups()) plans.push_back(toPlan(group));
+  for (const Group& group : parts_->run.groups().all()) plans.push_back(toPlan(group));
   return plans;
 }
 
-int Simulation::maxSubsteps() const { return parts_->run.maxSubsteps(); }
-std::int64_t Simulation::evaluations() const { return parts_->run.evaluations(); }
+int Simulation::maxSubsteps() const { return parts_->run.groups().maxSubsteps(); }
+std::int64_t Simulation::evaluations() const { return parts_->run.groups().evaluations(); }
 
 void Simulation::trackError() { parts_->error.emplace(parts_->run); }
 
