@@ -47,6 +47,10 @@ class Drag final : public ForceLaw {
   /// velocity. h may be negative where there is no quadratic drag.
   void kick(const Body& body, const Wrench& wrench, double h, BodyState& state) const override;
 
+  bool holdsStill(const Bodies& /*at*/, const std::vector<Stray>& /*strays*/) const override {
+    return true;
+  }
+
   const Coefficients& coefficients() const { return coefficients_; }
 
  private:

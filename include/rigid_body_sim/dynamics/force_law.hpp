@@ -32,6 +32,18 @@ struct MotionBound {
   double until = 0;                 ///< [s]
 };
 
+/// How far a body strays from a state that it stays near, at most.
+struct Stray {
+  double place = 0;  ///< [m]
+  double turn = 0;   ///< [rad]
+  double speed = 0;  ///< [m/s]
+  double spin = 0;   ///< [rad/s]
+
+  /// Of a point that turns with the body, at a distance [m] from the centre of mass.
+  double placeAt(double arm) const { return place + arm * turn; }
+  double speedAt(double arm) const { return speed + arm * spin; }
+};
+
 /// A law of force between bodies, points and the world. It never changes: it adds the wrenches that
 /// follow from where the bodies are, how they move, and its own states, which belong to State.
 ///
@@ -107,6 +119,13 @@ class ForceLaw {
   virtual void setStart(double* own) const;
   virtual void setRates(const Bodies& at, double* rates) const;
 
+  /// addWrenches and setRates at once, for laws in which the one takes what the other does.
+  virtual void addWrenchesAndRates(const Bodies& at, std::vector<Wrench>& wrenches,
+                                   double* rates) const {
+    addWrenches(at, wrenches);
+    setRates(at, rates);
+  }
+
   /// Events: a step ends at the instant at which one of the guards, positive before, falls below
   /// zero; it is located to rounding of the motion. Then switchMode changes the law's own states so
   /// that no guard is below zero in the mode that begins.
@@ -140,6 +159,13 @@ class ForceLaw {
   /// [s] The longest step from here on that does not hide from the integrator's estimate how the
   /// law's wrenches begin; precision: of the step, relative.
   virtual double longestStep(const Bodies& at, double precision) const;
+
+  /// Whether, while its bodies stray no further from these states than given, index by index of
+  /// `at`, it switches no mode, and does nothing but follow its potential energy and dissipate; its
+  /// own states are then functions of where the bodies are.
+  virtual bool holdsStill(const Bodies& /*at*/, const std::vector<Stray>& /*strays*/) const {
+    return false;
+  }
 
   /// Adds what touches now.
   virtual void addContacts(const Bodies& /*at*/, std::vector<ContactPoint>& /*contacts*/) const {}

@@ -1,10 +1,12 @@
 #include "dynamics/contact/ball_contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "dynamics/contact/flight_bound.hpp"
+#include "dynamics/contact/swings.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -65,13 +67,6 @@ BallContact::Now BallContact::now(std::size_t pair, const Frame& a, const Frame&
   return now;
 }
 
-template <class F>
-void BallContact::forPairs(const Bodies& at, const double* own, const F& f) const {
-  const Frame a = frameOf(a_, at), b = frameOf(b_, at);
-  for (std::size_t pair = 0; pair < pairCount(); ++pair, own += kOwnCount)
-    f(pair, now(pair, a, b, modeOf(own)), own);
-}
-
 BallContact::Pull BallContact::pull(const Now& now, const double* own) const {
   return {bristle_, stretchOf(own), now.slip_W, c_.friction * now.point.force(c_),
           (now.mode & kSlips) != 0};
@@ -82,31 +77,41 @@ Vector3d BallContact::forceOnA(const Now& now, const double* own) const {
   return bristle_.exists() ? Vector3d(normal_W + pull(now, own).pull) : normal_W;
 }
 
+void BallContact::addForceOnA(const Now& now, const Vector3d& f_W,
+                              std::vector<Wrench>& wrenches) const {
+  wrenches[a_.body].f_W += f_W;
+  wrenches[a_.body].tau_W += now.arm_a_W.cross(f_W);
+  if (b_.body == kWorld) return;
+  wrenches[b_.body].f_W -= f_W;
+  wrenches[b_.body].tau_W -= now.arm_b_W.cross(f_W);
+}
+
 void BallContact::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
-  forPairs(at, at.own, [&](std::size_t, const Now& now, const double* own) {
-    if (!(now.mode & kTouches)) return;
-    const Vector3d f_W = forceOnA(now, own);
-    wrenches[a_.body].f_W += f_W;
-    wrenches[a_.body].tau_W += now.arm_a_W.cross(f_W);
-    if (b_.body == kWorld) return;
-    wrenches[b_.body].f_W -= f_W;
-    wrenches[b_.body].tau_W -= now.arm_b_W.cross(f_W);
+  forTouching(at, at.own, [&](std::size_t, const Now& now, const double* own) {
+    addForceOnA(now, forceOnA(now, own), wrenches);
+  });
+}
+
+void BallContact::addWrenchesAndRates(const Bodies& at, std::vector<Wrench>& wrenches,
+                                      double* rates) const {
+  std::fill_n(rates, stateCount(), 0.0);
+  forTouching(at, at.own, [&](std::size_t pair, const Now& now, const double* own) {
+    addForceOnA(now, forceOnA(now, own), wrenches);
+    setRateOf(now, own, rates + pair * kOwnCount);
   });
 }
 
 double BallContact::potentialEnergy(const Bodies& at) const {
   double energy = 0;
-  forPairs(at, at.own, [&](std::size_t, const Now& now, const double* own) {
-    if (now.mode & kTouches)
-      energy += now.point.energy(c_) + 0.5 * bristle_.stiffness * stretchOf(own).squaredNorm();
+  forTouching(at, at.own, [&](std::size_t, const Now& now, const double* own) {
+    energy += now.point.energy(c_) + 0.5 * bristle_.stiffness * stretchOf(own).squaredNorm();
   });
   return energy;
 }
 
 double BallContact::externalPower(const Bodies& at) const {
   double power = 0;
-  forPairs(at, at.own, [&](std::size_t, const Now& now, const double* own) {
-    if (!(now.mode & kTouches)) return;
+  forTouching(at, at.own, [&](std::size_t, const Now& now, const double* own) {
     power += now.point.externalPower(c_);
     if (!bristle_.exists()) return;
     power += pull(now, own).power(bristle_, stretchOf(own), now.slip_W);
@@ -115,23 +120,28 @@ double BallContact::externalPower(const Bodies& at) const {
 }
 
 double BallContact::rate(const Bodies& at, const std::vector<double>& /*speeds*/) const {
-  double mobility = 0;
-  for (const Side* side : {&a_, &b_}) {
-    if (side->body == kWorld) continue;
-    const Body& body = *at.bodies[side->body];
-    double lever = 0;
-    for (const Feature& ball : side->balls) lever = std::max(lever, ball.reach());
-    mobility += 1 / body.mass + lever * lever * body.inv_I.maxCoeff();
-  }
-  double fastest = 0;
-  forPairs(at, at.own, [&](std::size_t, const Now& now, const double*) {
-    if (!(now.mode & kTouches)) return;
-    const double stiffness = now.point.stiffness(c_) + bristle_.stiffness;
-    const double damping = now.point.damping(c_) + bristle_.damping;
-    fastest = std::max({fastest, std::sqrt(stiffness * mobility), damping * mobility});
-    if (bristle_.exists()) fastest = std::max(fastest, bristle_.stiffness / bristle_.damping);
+  // what both sides' velocities move the point by adds up
+  std::vector<Swings> swings;
+  for (const Side* side : {&a_, &b_})
+    if (side->body != kWorld)
+      swings.emplace_back(*at.bodies[side->body], at.states[side->body].q_WP);
+  double relaxing = 0;
+  forTouching(at, at.own, [&](std::size_t, const Now& now, const double*) {
+    const Vector3d e1_W = now.n_W.unitOrthogonal(), e2_W = now.n_W.cross(e1_W);
+    for (std::size_t side = 0; side < swings.size(); ++side) {
+      const Vector3d& arm_W = side == 0 ? now.arm_a_W : now.arm_b_W;
+      swings[side].addAt(arm_W, now.n_W, {now.point.stiffness(c_), now.point.damping(c_)});
+      swings[side].addAt(arm_W, e1_W, bristle_);
+      swings[side].addAt(arm_W, e2_W, bristle_);
+    }
+    if (now.mode & kSlips) relaxing = std::max(relaxing, bristle_.stiffness / bristle_.damping);
   });
-  return fastest;
+  double frequency_squared = 0, decay = 0;
+  for (const Swings& of_side : swings) {
+    frequency_squared += of_side.frequencySquared();
+    decay += of_side.decay();
+  }
+  return std::max({relaxing, std::sqrt(frequency_squared), decay});
 }
 
 double BallContact::reach(const Bodies& at) const {
@@ -142,13 +152,16 @@ double BallContact::reach(const Bodies& at) const {
   return length;
 }
 
+void BallContact::setRateOf(const Now& now, const double* own, double* rates) const {
+  if (!bristle_.exists()) return;
+  const Vector3d rate = pull(now, own).rate + now.turn_W.cross(stretchOf(own));
+  std::copy_n(rate.data(), 3, rates + kStretch);
+}
+
 void BallContact::setRates(const Bodies& at, double* rates) const {
-  forPairs(at, at.own, [&](std::size_t pair, const Now& now, const double* own) {
-    Vector3d rate = Vector3d::Zero();
-    if ((now.mode & kTouches) && bristle_.exists())
-      rate = pull(now, own).rate + now.turn_W.cross(stretchOf(own));
-    rates[pair * kOwnCount] = 0;
-    std::copy_n(rate.data(), 3, rates + pair * kOwnCount + kStretch);
+  std::fill_n(rates, stateCount(), 0.0);
+  forTouching(at, at.own, [&](std::size_t pair, const Now& now, const double* own) {
+    setRateOf(now, own, rates + pair * kOwnCount);
   });
 }
 
@@ -185,9 +198,8 @@ bool BallContact::acts(const double* own) const {
 
 double BallContact::longestStep(const Bodies& at, double precision) const {
   double longest = std::numeric_limits<double>::infinity();
-  forPairs(at, at.own, [&](std::size_t, const Now& now, const double*) {
-    if (now.mode & kTouches)
-      longest = std::min(longest, now.point.longestStep(c_, mass_, precision));
+  forTouching(at, at.own, [&](std::size_t, const Now& now, const double*) {
+    longest = std::min(longest, now.point.longestStep(c_, mass_, precision));
   });
   return longest;
 }
@@ -220,8 +232,7 @@ double BallContact::quietInFlight(double t, const Bodies& at,
 
 void BallContact::addContacts(const Bodies& at, std::vector<ContactPoint>& contacts) const {
   const Frame a = frameOf(a_, at);
-  forPairs(at, at.own, [&](std::size_t, const Now& now, const double* own) {
-    if (!(now.mode & kTouches)) return;
+  forTouching(at, at.own, [&](std::size_t, const Now& now, const double* own) {
     ContactPoint contact;
     contact.body = a_.label;
     contact.other = b_.label;

@@ -23,6 +23,8 @@ class BallContact final : public ContactLaw {
       const std::function<std::size_t(std::size_t)>& index) const override;
 
   void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
+  void addWrenchesAndRates(const Bodies& at, std::vector<Wrench>& wrenches,
+                           double* rates) const override;
   double potentialEnergy(const Bodies& at) const override;
   double externalPower(const Bodies& at) const override;
   double rate(const Bodies& at, const std::vector<double>& speeds) const override;
@@ -38,6 +40,7 @@ class BallContact final : public ContactLaw {
   double quietInFlight(double t, const Bodies& at,
                        const std::vector<MotionBound>& bounds) const override;
   double longestStep(const Bodies& at, double precision) const override;
+  bool holdsStill(const Bodies& at, const std::vector<Stray>& strays) const override;
   void addContacts(const Bodies& at, std::vector<ContactPoint>& contacts) const override;
   void addContactEvents(const Bodies& at, const double* before,
                         std::vector<ContactEvent>& events) const override;
@@ -72,13 +75,31 @@ class BallContact final : public ContactLaw {
   Now now(std::size_t pair, const Frame& a, const Frame& b, unsigned mode) const;
   Pull pull(const Now& now, const double* own) const;
   Vector3d forceOnA(const Now& now, const double* own) const;
+  void addForceOnA(const Now& now, const Vector3d& f_W, std::vector<Wrench>& wrenches) const;
+  void setRateOf(const Now& now, const double* own, double* rates) const;
   template <class F>
   void forPairs(const Bodies& at, const double* own, const F& f) const;
+  template <class F>
+  void forTouching(const Bodies& at, const double* own, const F& f) const;
 
   Side a_, b_;
   ContactParameters c_;
   double mass_;
   Bristle bristle_;
 };
+
+template <class F>
+void BallContact::forPairs(const Bodies& at, const double* own, const F& f) const {
+  const Frame a = frameOf(a_, at), b = frameOf(b_, at);
+  for (std::size_t pair = 0; pair < pairCount(); ++pair, own += kOwnCount)
+    f(pair, now(pair, a, b, modeOf(own)), own);
+}
+
+template <class F>
+void BallContact::forTouching(const Bodies& at, const double* own, const F& f) const {
+  const Frame a = frameOf(a_, at), b = frameOf(b_, at);
+  for (std::size_t pair = 0; pair < pairCount(); ++pair, own += kOwnCount)
+    if (modeOf(own) & kTouches) f(pair, now(pair, a, b, modeOf(own)), own);
+}
 
 }  // namespace rigid_body_sim

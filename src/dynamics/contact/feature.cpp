@@ -71,7 +71,8 @@ std::vector<Feature> featuresOf(const ContactShape& shape, const std::string& bo
 
 PlanePoints planePoints(const Feature& feature, const Quaterniond& q_WP, const Vector3d& n_W) {
   const Vector3d c = rotate(q_WP, feature.center_P);
-  PlanePoints points{{c, c, c, c}, {}, {c, c, c, c}};
+  PlanePoints points;
+  points.arm_W[0] = c;
   switch (feature.kind) {
     case Feature::Kind::kPoint:
       points.height[0] = n_W.dot(c);

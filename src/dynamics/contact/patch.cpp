@@ -23,16 +23,15 @@ Patch::Patch(const Feature& feature, const ContactParameters& parameters, double
   spinning_ = {area * bristle_.stiffness, area * bristle_.damping};
 }
 
-Patch::Pose::Pose(const Body& on, const BodyState& at, const HalfSpace& against)
+Patch::Pose::Pose(const Body& on, const BodyState& at, const Plane& against)
     : body(on),
       state(at),
-      plane(against),
-      n_W(rotate(against.q_WH, Vector3d(Vector3d::UnitZ()))),
-      e1_W(rotate(against.q_WH, Vector3d(Vector3d::UnitX()))),
-      e2_W(rotate(against.q_WH, Vector3d(Vector3d::UnitY()))),
+      n_W(against.n_W),
+      e1_W(against.e1_W),
+      e2_W(against.e2_W),
       v_W(at.p_W / on.mass),
       w_W(rotate(at.q_WP, angularVelocity(on.inv_I, at.L_P))),
-      height(n_W.dot(at.x_W - against.origin_W)),
+      height(n_W.dot(at.x_W - against.half_space.origin_W)),
       height_low(n_W.dot(at.x_low_W)) {}
 
 Patch::Now Patch::now(const Pose& pose, const double* own) const {
@@ -92,8 +91,19 @@ Vector3d Patch::friction(const Pose& pose, const Now& now, const double* own) co
 }
 
 void Patch::addWrench(const Pose& pose, const double* own, Wrench& wrench) const {
+  if (touches(modeOf(own))) addWrenchOf(pose, now(pose, own), own, wrench);
+}
+
+void Patch::addWrenchAndRates(const Pose& pose, const double* own, Wrench& wrench,
+                              double* rates) const {
+  std::fill_n(rates, kOwnCount, 0.0);
   if (!touches(modeOf(own))) return;
   const Now at = now(pose, own);
+  addWrenchOf(pose, at, own, wrench);
+  setRatesOf(at, own, rates);
+}
+
+void Patch::addWrenchOf(const Pose& pose, const Now& at, const double* own, Wrench& wrench) const {
   for (std::size_t j = 0; j < at.count; ++j) {
     if (!(at.mode & (kTouches << j))) continue;
     const Vector3d f_W = at.point[j].force(c_) * pose.n_W;
@@ -112,8 +122,10 @@ void Patch::addWrench(const Pose& pose, const double* own, Wrench& wrench) const
 
 void Patch::setRates(const Pose& pose, const double* own, double* rates) const {
   std::fill_n(rates, kOwnCount, 0.0);
-  if (!touches(modeOf(own))) return;
-  const Now at = now(pose, own);
+  if (touches(modeOf(own))) setRatesOf(now(pose, own), own, rates);
+}
+
+void Patch::setRatesOf(const Now& at, const double* own, double* rates) const {
   if (bristle_.exists()) {
     const Vector2d rate = slide(at, own).rate;
     std::copy_n(rate.data(), 2, rates + kSlide);
@@ -148,21 +160,29 @@ double Patch::externalPower(const Pose& pose, const double* own) const {
   return power;
 }
 
-double Patch::rate(const Pose& pose, const double* own) const {
+double Patch::addSwings(const Pose& pose, const double* own, Swings& swings) const {
   if (!touches(modeOf(own))) return 0;
   const Now at = now(pose, own);
-  double stiffness = bristle_.stiffness, damping = bristle_.damping, fastest = 0;
-  for (std::size_t j = 0; j < at.count; ++j) {
-    if (!(at.mode & (kTouches << j))) continue;
-    stiffness += at.point[j].stiffness(c_);
-    damping += at.point[j].damping(c_);
+  for (std::size_t j = 0; j < at.count; ++j)
+    if (at.mode & (kTouches << j))
+      swings.addAt(at.arm_W[j], pose.n_W, {at.point[j].stiffness(c_), at.point[j].damping(c_)});
+  double relaxing = 0;
+  const auto relax = [&](Mode slipping, const Bristle& bristle) {
+    if (at.mode & slipping) relaxing = std::max(relaxing, bristle.stiffness / bristle.damping);
+  };
+  if (bristle_.exists()) {
+    for (const Vector3d* e_W : {&pose.e1_W, &pose.e2_W}) swings.addAt(at.center_W, *e_W, bristle_);
+    relax(kSlips, bristle_);
   }
-  if (bristle_.exists()) fastest = bristle_.stiffness / bristle_.damping;
-  if (rolling_.exists()) fastest = std::max(fastest, rolling_.stiffness / rolling_.damping);
-  const double mobility = 1 / pose.body.mass + lever_ * lever_ * pose.body.inv_I.maxCoeff();
-  const double turning = pose.body.inv_I.maxCoeff();
-  const double swing = std::sqrt(stiffness * mobility + rolling_.stiffness * turning);
-  return std::max({fastest, swing, damping * mobility + rolling_.damping * turning});
+  if (spins()) {
+    swings.addTurning(pose.n_W, spinning_);
+    relax(kSpins, spinning_);
+  }
+  if (rolling_.exists()) {
+    for (const Vector3d* e_W : {&pose.e1_W, &pose.e2_W}) swings.addTurning(*e_W, rolling_);
+    relax(kRolls, rolling_);
+  }
+  return relaxing;
 }
 
 double Patch::longestStep(const Pose& pose, const double* own, double precision) const {

@@ -2,8 +2,21 @@
 
 #include "dynamics/contact/feature.hpp"
 #include "dynamics/contact/normal_law.hpp"
+#include "dynamics/contact/swings.hpp"
 
 namespace rigid_body_sim {
+
+/// A half-space and its axes in the world.
+struct Plane {
+  HalfSpace half_space;
+  Vector3d n_W, e1_W, e2_W;  ///< the normal, and two along the plane
+
+  explicit Plane(const HalfSpace& of)
+      : half_space(of),
+        n_W(rotate(of.q_WH, Vector3d(Vector3d::UnitZ()))),
+        e1_W(rotate(of.q_WH, Vector3d(Vector3d::UnitX()))),
+        e2_W(rotate(of.q_WH, Vector3d(Vector3d::UnitY()))) {}
+};
 
 /// A feature against a plane: one element of a contact, with states and modes of its own.
 class Patch {
@@ -25,13 +38,12 @@ class Patch {
   struct Pose {
     const Body& body;
     const BodyState& state;
-    const HalfSpace& plane;
-    Vector3d n_W, e1_W, e2_W;  ///< axes of the plane
-    Vector3d v_W, w_W;         ///< of the body [m/s], [rad/s]
-    double height;             ///< [m] of the centre of mass; its small part apart
+    const Vector3d &n_W, &e1_W, &e2_W;  ///< axes of the plane
+    Vector3d v_W, w_W;                  ///< of the body [m/s], [rad/s]
+    double height;                      ///< [m] of the centre of mass; its small part apart
     double height_low;
 
-    Pose(const Body& on, const BodyState& at, const HalfSpace& against);
+    Pose(const Body& on, const BodyState& at, const Plane& against);
   };
 
   /// All that forces, rates and guards follow from.
@@ -49,16 +61,21 @@ class Patch {
   Now now(const Pose& pose, const double* own) const;
 
   void addWrench(const Pose& pose, const double* own, Wrench& wrench) const;
+  void addWrenchAndRates(const Pose& pose, const double* own, Wrench& wrench, double* rates) const;
   Vector3d friction(const Pose& pose, const Now& now, const double* own) const;  ///< [N]
   void setRates(const Pose& pose, const double* own, double* rates) const;
   double potentialEnergy(const Pose& pose, const double* own) const;
   double externalPower(const Pose& pose, const double* own) const;
 
-  /// [1/s] Of swings and decays, in the present mode.
-  double rate(const Pose& pose, const double* own) const;
+  /// Adds its springs and dampers at the present state. Returns the rate [1/s] at which bristles
+  /// that slip relax.
+  double addSwings(const Pose& pose, const double* own, Swings& swings) const;
 
   /// [s] See ForceLaw::longestStep.
   double longestStep(const Pose& pose, const double* own, double precision) const;
+
+  /// See ForceLaw::holdsStill; of the body.
+  bool holdsStill(const Pose& pose, const double* own, const Stray& stray) const;
 
   /// Guards: of each point its touch and its pull; of the bristles.
   std::size_t guardCount() const { return 2 * feature_.pointCount() + 3; }
@@ -70,6 +87,9 @@ class Patch {
   BristlePull<Eigen::Vector2d> slide(const Now& now, const double* own) const;
   BristlePull<Vector1d> spin(const Now& now, const double* own) const;
   BristlePull<Eigen::Vector2d> roll(const Now& now, const double* own) const;
+  void addWrenchOf(const Pose& pose, const Now& now, const double* own, Wrench& wrench) const;
+  void setRatesOf(const Now& now, const double* own, double* rates) const;
+  bool holdsSpin(const Now& now, const double* own, const Stray& stray, double loss) const;
   void placeFriction(const Pose& pose, Now& now) const;
   bool spins() const { return bristle_.exists() && feature_.kind == Feature::Kind::kRim; }
 

@@ -35,6 +35,17 @@ void PlaneContact::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) 
   }
 }
 
+void PlaneContact::addWrenchesAndRates(const Bodies& at, std::vector<Wrench>& wrenches,
+                                       double* rates) const {
+  const Patch::Pose pose = poseOf(at);
+  const double* own = at.own;
+  for (const Patch& patch : patches_) {
+    patch.addWrenchAndRates(pose, own, wrenches[body_], rates);
+    own += Patch::kOwnCount;
+    rates += Patch::kOwnCount;
+  }
+}
+
 /// Σ term(patch, pose, its own states)
 template <class Term>
 double PlaneContact::sum(const Bodies& at, const Term& term) const {
@@ -57,11 +68,15 @@ double PlaneContact::externalPower(const Bodies& at) const {
 }
 
 double PlaneContact::rate(const Bodies& at, const std::vector<double>& /*speeds*/) const {
-  // the squares of frequencies add up
-  return std::sqrt(sum(at, [](const Patch& patch, const Patch::Pose& pose, const double* own) {
-    const double of_patch = patch.rate(pose, own);
-    return of_patch * of_patch;
-  }));
+  const Patch::Pose pose = poseOf(at);
+  Swings swings(pose.body, pose.state.q_WP);
+  double relaxing = 0;
+  const double* own = at.own;
+  for (const Patch& patch : patches_) {
+    relaxing = std::max(relaxing, patch.addSwings(pose, own, swings));
+    own += Patch::kOwnCount;
+  }
+  return std::max({relaxing, std::sqrt(swings.frequencySquared()), swings.decay()});
 }
 
 double PlaneContact::reach(const Bodies& at) const { return std::abs(poseOf(at).height) + reach_; }
@@ -108,7 +123,7 @@ double PlaneContact::longestStep(const Bodies& at, double precision) const {
 double PlaneContact::quietInFlight(double t, const Bodies& at,
                                    const std::vector<MotionBound>& bounds) const {
   const MotionBound& bound = bounds[body_];
-  const PlaneFlight flight(*at.bodies[body_], at.states[body_], plane_, bound);
+  const PlaneFlight flight(*at.bodies[body_], at.states[body_], plane_.half_space, bound);
   double quiet = flight.clearFor(reach_);
   if (!(quiet > 0)) {
     quiet = std::numeric_limits<double>::infinity();
@@ -122,7 +137,7 @@ ContactPoint PlaneContact::contactAt(const Patch::Pose& pose, const Patch& patch
   const Patch::Now now = patch.now(pose, own);
   ContactPoint contact;
   contact.body = label_;
-  contact.other = plane_.body;
+  contact.other = plane_.half_space.body;
   contact.position_W = pose.state.x_W + (pose.state.x_low_W + now.center_W);
   contact.normal_force_W = now.normal * pose.n_W;
   contact.friction_force_W = patch.friction(pose, now, own);
@@ -149,7 +164,7 @@ void PlaneContact::addContactEvents(const Bodies& at, const double* before,
     const bool touches = Patch::touches(Patch::modeOf(own));
     if (touched == touches) continue;
     const Vector3d place_W = contactAt(pose, patches_[i], own).position_W;
-    events.push_back({0, label_, plane_.body, touches, place_W});
+    events.push_back({0, label_, plane_.half_space.body, touches, place_W});
   }
 }
 

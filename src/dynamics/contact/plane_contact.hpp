@@ -16,6 +16,8 @@ class PlaneContact final : public ContactLaw {
       const std::function<std::size_t(std::size_t)>& index) const override;
 
   void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
+  void addWrenchesAndRates(const Bodies& at, std::vector<Wrench>& wrenches,
+                           double* rates) const override;
   double potentialEnergy(const Bodies& at) const override;
   double externalPower(const Bodies& at) const override;
   double rate(const Bodies& at, const std::vector<double>& speeds) const override;
@@ -31,6 +33,7 @@ class PlaneContact final : public ContactLaw {
   double quietInFlight(double t, const Bodies& at,
                        const std::vector<MotionBound>& bounds) const override;
   double longestStep(const Bodies& at, double precision) const override;
+  bool holdsStill(const Bodies& at, const std::vector<Stray>& strays) const override;
   void addContacts(const Bodies& at, std::vector<ContactPoint>& contacts) const override;
   void addContactEvents(const Bodies& at, const double* before,
                         std::vector<ContactEvent>& events) const override;
@@ -45,7 +48,7 @@ class PlaneContact final : public ContactLaw {
 
   std::size_t body_;
   std::size_t label_;  // index of the body in the world
-  HalfSpace plane_;
+  Plane plane_;
   std::vector<Patch> patches_;
   std::size_t guard_count_ = 0;
   double reach_ = 0;  // [m] of all features

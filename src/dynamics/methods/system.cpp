@@ -3,9 +3,14 @@
 namespace rigid_body_sim {
 namespace {
 
-void addLaws(const System& system, const SystemState& states, std::vector<Wrench>& wrenches) {
+void addStatelessLaws(const System& system, const SystemState& states,
+                      std::vector<Wrench>& wrenches) {
   const ForceLaw::Bodies at{system.bodies, states.bodies};
   for (const auto& law : system.laws) law->addWrenches(at, wrenches);
+}
+
+void addStatefulLaws(const System& system, const SystemState& states,
+                     std::vector<Wrench>& wrenches) {
   forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& with_own) {
     if (law.acts(with_own.own)) law.addWrenches(with_own, wrenches);
   });
@@ -23,7 +28,7 @@ void evaluate(const System& system, const SystemState& states, Workspace& worksp
   }
   for (const PointWrench& applied : system.coupled)
     addPointWrench(applied, bodies, wrenches[applied.body]);
-  if (kFields) addLaws(system, states, wrenches);
+  if (kFields) addStatelessLaws(system, states, wrenches);
   ++workspace.evaluations;
 }
 
@@ -36,6 +41,7 @@ void addFlows(const System& system, const SystemState& states, std::vector<Wrenc
 
 void evaluateWrenches(const System& system, const SystemState& states, Workspace& workspace) {
   evaluate<true>(system, states, workspace);
+  addStatefulLaws(system, states, workspace.wrenches);
 }
 
 void evaluateAppliedAndFlows(const System& system, const SystemState& states,
@@ -46,6 +52,22 @@ void evaluateAppliedAndFlows(const System& system, const SystemState& states,
 
 void evaluateAllWrenches(const System& system, const SystemState& states, Workspace& workspace) {
   evaluateWrenches(system, states, workspace);
+  addFlows(system, states, workspace.wrenches);
+}
+
+void evaluateAllWithRates(const System& system, const SystemState& states, Workspace& workspace,
+                          std::vector<double>& rates) {
+  evaluate<true>(system, states, workspace);
+  rates.assign(states.laws.size(), 0);
+  for (const System::StatefulLaw& stateful : system.stateful_laws) {
+    const ForceLaw& law = *stateful.law;
+    const ForceLaw::Bodies at{system.bodies, states.bodies, states.laws.data() + stateful.first};
+    double* of_law = rates.data() + stateful.first;
+    if (law.acts(at.own))
+      law.addWrenchesAndRates(at, workspace.wrenches, of_law);
+    else
+      law.setRates(at, of_law);
+  }
   addFlows(system, states, workspace.wrenches);
 }
 

@@ -56,7 +56,7 @@ struct Workspace {
   std::int64_t evaluations = 0;  ///< of all wrenches, since the workspace was made
   SystemState stages;
   std::vector<BodyStateDot> dots;
-  std::vector<double> law_dots;
+  std::vector<double> law_dots, law_sums;
   StepBound step_bound;
   double error = 0;  ///< estimated by the last step (Claim kEstimatesError); infinity: not followed
 };
@@ -78,6 +78,10 @@ void evaluateAppliedAndFlows(const System& system, const SystemState& states, Wo
 
 /// As evaluateWrenches, with the laws that have a flow.
 void evaluateAllWrenches(const System& system, const SystemState& states, Workspace& workspace);
+
+/// evaluateAllWrenches and evaluateLawRates at once.
+void evaluateAllWithRates(const System& system, const SystemState& states, Workspace& workspace,
+                          std::vector<double>& rates);
 
 /// Rates of the laws' own states.
 void evaluateLawRates(const System& system, const SystemState& states, std::vector<double>& rates);
