@@ -41,8 +41,9 @@ struct MotionPlan {
   std::string integrator;           ///< a name of the catalogue; empty: the motion is solved
   int substeps = 1;                 ///< equal parts in which each time step is taken, at least
   bool by_estimates = false;  ///< the integrator's own error estimates divide its steps further
-  bool holds = true;          ///< with auto: whether an integrator was found to hold the tolerance
-  double error = 0;           ///< with auto: what the trial found, as a share of the tolerance
+  bool at_rest = false;  ///< bodies in contact that have come to rest, until they are disturbed
+  bool holds = true;     ///< with auto: whether an integrator was found to hold the tolerance
+  double error = 0;      ///< with auto: what the trial found, as a share of the tolerance
   /// [s] With auto: up to when the motion was tried; then the error estimates take over. Infinite
   /// where it was not.
   double tried_until = std::numeric_limits<double>::infinity();

@@ -76,6 +76,7 @@ std::string howSolved(const World& world, const Body& body, const MotionPlan& pl
                       bool flies_freely) {
   if (plan.integrator.empty())
     return flies_freely ? std::string(kindOf(body)) + ", exact" : "Taylor";
+  if (plan.at_rest) return "at rest";
   std::ostringstream text;
   text << plan.integrator << " in " << (plan.substeps > 1 ? "sub" : "") << "steps of "
        << (plan.by_estimates ? "at most " : "") << stepText(world.solver.time_step / plan.substeps);

@@ -6,6 +6,19 @@
 #include "math/gauss_legendre.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+double potentialOfLaws(const System& system, const SystemState& states) {
+  double energy = 0;
+  for (const auto& law : system.laws)
+    energy += law->potentialEnergy({system.bodies, states.bodies});
+  forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& at) {
+    if (law.acts(at.own)) energy += law.potentialEnergy(at);
+  });
+  return energy;
+}
+
+}  // namespace
 
 void ExchangeMeter::operator()(const MotionPiece& piece) {
   const double h = piece.end() - piece.start();
@@ -42,6 +55,21 @@ void ExchangeMeter::add(double weight, const System& system) {
     sum_.momentum += weight * all.f_W;
     sum_.angular_momentum += weight * (x_W.cross(all.f_W) + all.tau_W + rotate(s.q_WP, all.tau_P));
   }
+}
+
+void ExchangeMeter::addChange(const System& system, const SystemState& before,
+                              const SystemState& after) {
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    const Body& body = *system.bodies[i];
+    const BodyState &a = before.bodies[i], &b = after.bodies[i];
+    const Vector3d a_W = a.x_W + a.x_low_W, b_W = b.x_W + b.x_low_W;
+    const Vector3d moved_W = (b.x_W - a.x_W) + (b.x_low_W - a.x_low_W);
+    sum_.energy +=
+        kineticEnergy(body, b) - kineticEnergy(body, a) - body.mass * system.g_W.dot(moved_W);
+    sum_.momentum += b.p_W - a.p_W;
+    sum_.angular_momentum += (b.L_W + b_W.cross(b.p_W)) - (a.L_W + a_W.cross(a.p_W));
+  }
+  sum_.energy += potentialOfLaws(system, after) - potentialOfLaws(system, before);
 }
 
 Totals ExchangeMeter::take() { return std::exchange(sum_, Totals()); }

@@ -24,6 +24,9 @@ class ExchangeMeter {
   /// Adds energy that a switch of a law's mode took out of its potential, or put into it [J].
   void addEnergy(double energy) { sum_.energy += energy; }
 
+  /// Adds by what the bodies' own totals differ where they are put to rest.
+  void addChange(const System& system, const SystemState& before, const SystemState& after);
+
   /// Since it was made or last taken.
   Totals take();
 

@@ -166,7 +166,7 @@ void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& 
     const double t_next = std::min(t_end, next_event);
     if (t_next > t && stepper_ && stepper_->advance(system_, t, t_next - t, next_, meter)) {
       switched_ = true;
-      if (mayStop()) return;
+      if (system_.has_contact) return;
     }
     if (t_next > t && !stepper_) solve(t, t_next, next_event, meter);
     t = t_next;

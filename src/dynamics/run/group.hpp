@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -53,12 +54,27 @@ class Group {
 
   /// Whether an advance() may stop before its end, at the instant at which a contact begins or
   /// ceases to act: groups are to be formed anew there.
-  bool mayStop() const { return system_.has_contact; }
+  bool mayStop() const { return system_.has_contact && !isAtRest(); }
 
   /// [s] Where the last advance() to t_end has led to.
   double advancedTo(double t_end) const {
-    return switched_ && mayStop() ? stepper_->stoppedAt() : t_end;
+    return switched_ && system_.has_contact ? stepper_->stoppedAt() : t_end;
   }
+
+  /// Puts its bodies to rest, at the present, where it is certain that they have come to it. They
+  /// stay where they are until an event on one of them, restart() or setState().
+  void settle();
+  void settle(ExchangeMeter& meter);
+  bool isAtRest() const { return stepper_ && stepper_->isAtRest(); }
+  void restAsBefore() { stepper_->restAsBefore(); }
+
+  /// [s] Up to when it stays at rest.
+  double restsUntil(const std::vector<WrenchSchedule>& schedules) const {
+    return isAtRest() ? nextEvent(schedules) : -std::numeric_limits<double>::infinity();
+  }
+
+  /// Whether its motion is known beforehand: solved, or at rest.
+  bool isForeseen() const { return !choice().method || isAtRest(); }
 
   /// Whether a law belongs to it, acting or not; an index of the world.
   bool follows(std::size_t law) const;
@@ -67,7 +83,8 @@ class Group {
   /// a list.
   void moveContactEvents(std::vector<ContactEvent>& events);
 
-  /// What is known of the motion of its only body while it is solved; else nothing.
+  /// What is known of the motion of its bodies while it is solved, of one, or at rest; else
+  /// nothing.
   std::optional<MotionBound> motionBound(const std::vector<WrenchSchedule>& schedules) const;
 
   /// Takes over at time t, the present, what the schedules say from there on.

@@ -5,6 +5,15 @@
 /// What a group says to those who look for contacts.
 namespace rigid_body_sim {
 
+void Group::settle() {
+  NoMeter none;
+  if (stepper_) stepper_->settle(system_, present_, none);
+}
+
+void Group::settle(ExchangeMeter& meter) {
+  if (stepper_) stepper_->settle(system_, present_, meter);
+}
+
 bool Group::follows(std::size_t law) const {
   return std::find(stateful_laws_.begin(), stateful_laws_.end(), law) != stateful_laws_.end();
 }
@@ -14,6 +23,11 @@ void Group::moveContactEvents(std::vector<ContactEvent>& events) {
 }
 
 std::optional<MotionBound> Group::motionBound(const std::vector<WrenchSchedule>& schedules) const {
+  if (isAtRest()) {
+    MotionBound rest;
+    rest.until = nextEvent(schedules);
+    return rest;
+  }
   if (stepper_) return std::nullopt;
   const HeldWrench& held = system_.held[0];
   const Body& body = *system_.bodies[0];

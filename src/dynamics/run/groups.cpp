@@ -18,7 +18,7 @@ void Groups::add(Group group, const std::vector<WrenchSchedule>& schedules) {
     group_of_[group.members()[k]] = groups_.size();
     member_of_[group.members()[k]] = k;
   }
-  known_until_.push_back(group.knownUntil(schedules));
+  known_until_.push_back(knownOrRest(group, schedules));
   groups_.push_back(std::move(group));
 }
 

@@ -58,12 +58,20 @@ class Groups {
     known_until_[g] = groups_[g].knownUntil(schedules);
   }
 
+  /// The same of a group that may be at rest.
+  void findKnownOrRest(std::size_t g, const std::vector<WrenchSchedule>& schedules) {
+    known_until_[g] = knownOrRest(groups_[g], schedules);
+  }
+
   /// Of all groups, those too that are removed; see Simulation.
   int maxSubsteps() const;
   std::int64_t evaluations() const;
 
  private:
   void erase(std::size_t g);
+  static double knownOrRest(const Group& group, const std::vector<WrenchSchedule>& schedules) {
+    return group.isAtRest() ? group.restsUntil(schedules) : group.knownUntil(schedules);
+  }
 
   std::vector<Group> groups_;
   std::vector<double> known_until_;     // Group's, index by index

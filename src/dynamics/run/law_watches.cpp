@@ -22,9 +22,9 @@ bool acts(const LawWatch& watch, const WatchedRun& run) {
 }
 
 /// Whether the motions of all its bodies are known beforehand.
-bool isSolved(const LawWatch& watch, const Groups& groups) {
+bool isForeseen(const LawWatch& watch, const Groups& groups) {
   return std::all_of(watch.members().begin(), watch.members().end(),
-                     [&](std::size_t body) { return !groups.of(body).choice().method; });
+                     [&](std::size_t body) { return groups.of(body).isForeseen(); });
 }
 
 /// Whether bodies of which some are integrated may touch before t_end. What acts on them is not
@@ -85,8 +85,10 @@ void LawWatches::findQuiet(const WatchedRun& run) {
   quiet_until_ = kNever;
   for (const LawWatch& watch : watches_)
     if (isWatched(watch, run)) quiet_until_ = std::min(quiet_until_, watch.quietUntil());
-  for (const Group& group : run.groups.all())
+  for (const Group& group : run.groups.all()) {
     if (group.mayStop()) quiet_until_ = kNotKnown;
+    if (group.isAtRest()) quiet_until_ = std::min(quiet_until_, group.restsUntil(run.schedules));
+  }
 }
 
 std::optional<LawWatches::Event> LawWatches::firstEvent(const WatchedRun& run, double t_end) {
@@ -104,7 +106,7 @@ std::optional<LawWatches::Event> LawWatches::eventOf(LawWatch& watch, const Watc
   double t = run.time;
   for (std::size_t body : watch.members()) t = std::max(t, run.groups.of(body).time());
   if (!(t < t_end)) return std::nullopt;
-  if (watch.members().size() > 1 && !isSolved(watch, run.groups)) {
+  if (watch.members().size() > 1 && !isForeseen(watch, run.groups)) {
     if (!isNear(watch, run, t, t_end)) return std::nullopt;
     return Event{&watch, t, true};
   }

@@ -74,6 +74,7 @@ MotionPlan toPlan(const Group& group) {
   if (choice.method) plan.integrator = choice.method->name;
   plan.substeps = choice.substeps;
   plan.by_estimates = choice.by_estimates;
+  plan.at_rest = group.isAtRest();
   plan.holds = choice.holds;
   plan.error = choice.error;
   plan.tried_until = choice.tried_until;

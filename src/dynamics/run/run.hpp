@@ -71,6 +71,8 @@ class Run {
   void stepMetered(Meter&... meter);
   template <class... Meter>
   void advanceLinking(double t_end, Meter&... meter);
+  template <class... Meter>
+  void settle(double t_end, Meter&... meter);
   void beginLinking(double t_end);
   template <class... Meter>
   void advanceToEvent(const LawWatches::Event& event, double t_end, Meter&... meter);

@@ -30,12 +30,20 @@ void Run::restartContacts(std::size_t body) {
     if (world_->laws[law]->startsAnew()) contacts.push_back(law);
   if (contacts.empty()) return;
   law_states_ = lawStates();
+  const std::vector<double> before = law_states_;
   std::vector<BodyState> bodies;
   for (std::size_t i = 0; i < world_->bodies.size(); ++i) bodies.push_back(this->body(i));
   startContacts(contacts, bodies);
-  std::vector<std::size_t> members;
-  for (std::size_t law : contacts)
+  // others that it neither touched nor touches go on as they are
+  std::vector<std::size_t> members{body};
+  for (std::size_t law : contacts) {
+    const std::size_t first = laws_.firstState(law), count = world_->laws[law]->stateCount();
+    const auto own = law_states_.begin() + static_cast<std::ptrdiff_t>(first);
+    const bool is_same = std::equal(own, own + static_cast<std::ptrdiff_t>(count),
+                                    before.begin() + static_cast<std::ptrdiff_t>(first));
+    if (is_same && !world_->laws[law]->acts(law_states_.data() + first)) continue;
     for (std::size_t member : world_->laws[law]->members()) members.push_back(member);
+  }
   regroup(members, time_, true);
 }
 

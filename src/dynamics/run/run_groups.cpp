@@ -90,6 +90,11 @@ void Run::formGroups(const State& start, bool scheduled) {
       group.anchor(start.anchors[bodies.members[0]], schedules_);
     else if (!choice.method && !laws_.contacts().empty())
       group.anchor({time_, start.bodies[bodies.members[0]]}, schedules_);
+    const auto isOfGroup = [&bodies](const MotionPlan& plan) {
+      return plan.at_rest && plan.bodies == bodies.members;
+    };
+    if (choice.method && std::any_of(start.plans.begin(), start.plans.end(), isOfGroup))
+      group.restAsBefore();
     groups_.add(std::move(group), schedules_);
   }
 }

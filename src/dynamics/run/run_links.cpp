@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "dynamics/run/run.hpp"
@@ -74,7 +75,22 @@ void Run::advanceLinking(double t_end, Meter&... meter) {
   }
   std::stable_sort(contact_events_.begin(), contact_events_.end(),
                    [](const ContactEvent& a, const ContactEvent& b) { return a.t < b.t; });
+  settle(t_end, meter...);
   watches_.findQuiet(watched());
+}
+
+/// Puts groups to rest that have come to it; looked for at steps of the world 20 ms apart.
+template <class... Meter>
+void Run::settle(double t_end, Meter&... meter) {
+  constexpr double kPeriod = 0.02;  // [s]
+  const double h = world_->solver.time_step;
+  const auto every = static_cast<std::int64_t>(std::ceil(std::max(kPeriod / h, 1.0)));
+  if ((steps_ + 1) % every != 0 || t_end != static_cast<double>(steps_ + 1) * h) return;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (!groups_[g].mayStop()) continue;
+    groups_[g].settle(meter...);
+    if (groups_[g].isAtRest()) groups_.findKnownOrRest(g, schedules_);
+  }
 }
 
 /// Advances the bodies of a law to the instant from which on it acts.
@@ -95,7 +111,9 @@ void Run::advanceToEvent(const LawWatches::Event& event, double t_end, Meter&...
 template <class... Meter>
 bool Run::advanceContact(double limit, double t_end, Meter&... meter) {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    if (!groups_[g].mayStop() || !(std::max(time_, groups_[g].time()) < limit)) continue;
+    const bool moves = groups_[g].mayStop() ||
+                       (groups_[g].isAtRest() && groups_[g].restsUntil(schedules_) <= limit);
+    if (!moves || !(std::max(time_, groups_[g].time()) < limit)) continue;
     const std::vector<std::size_t> members = groups_[g].members();
     const double stop = advanceGroup(g, limit, t_end, meter...);
     if (!groups_[g].switchedModes()) continue;

@@ -63,7 +63,7 @@ void StepRecord::takeBack(const World& world, Groups& groups,
     takeBackGroups(world, groups, schedules);
     law_states = law_states_;
   }
-  for (std::size_t g = 0; g < groups.size(); ++g) groups.findKnown(g, schedules);
+  for (std::size_t g = 0; g < groups.size(); ++g) groups.findKnownOrRest(g, schedules);
 }
 
 /// Where groups were linked or parted in the step.

@@ -39,6 +39,7 @@ Stepper::Stepper(const MethodChoice& choice, const ErrorBound& tolerance, const 
 
 void Stepper::restart(const System& system) {
   workspace_.wrenches_current = false;
+  at_rest_ = false;
   const auto spins = [](const HeldWrench& held) { return !held.torqueFree(); };
   torque_matters_ =
       !system.coupled.empty() || std::any_of(system.held.begin(), system.held.end(), spins);

@@ -10,6 +10,7 @@ namespace rigid_body_sim {
 struct NoMeter {
   void operator()(const MotionPiece&) {}
   void addEnergy(double) {}
+  void addChange(const System&, const SystemState&, const SystemState&) {}
 };
 
 /// Advances a system by an integrator, over steps of any length: the one place where steps are
@@ -43,6 +44,16 @@ class Stepper {
   /// Throws StepTooLong.
   template <class Meter>
   bool advance(const System& system, double t, double h, SystemState& states, Meter& meter);
+
+  /// Puts bodies in contact to rest where it is certain that they have come to it; see RestSearch.
+  /// They stay there, at no cost, until restart(). Returns whether they rest.
+  template <class Meter>
+  bool settle(const System& system, SystemState& states, Meter& meter);
+
+  bool isAtRest() const { return at_rest_; }
+
+  /// As they were, in a state that is taken up.
+  void restAsBefore() { at_rest_ = true; }
 
   /// [s] Where the last advance() stopped.
   double stoppedAt() const { return stopped_at_; }
@@ -82,6 +93,7 @@ class Stepper {
   bool torque_matters_ = false;  // whether torques other than the laws' may spin a body up
   int max_substeps_ = 1;
   double stopped_at_ = 0;
+  bool at_rest_ = false;
   std::vector<ContactEvent> contact_events_;
 };
 
