@@ -159,6 +159,7 @@ void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& 
   std::copy(present_.bodies.begin(), present_.bodies.end(), next_.bodies.begin());
   if (!present_.laws.empty()) next_.laws = present_.laws;
   switched_ = false;
+  if (solved_ && t >= t_end) next_.bodies[0] = solved_->at(t_end);  // present_ may be older
   while (t < t_end) {
     if (t >= choice().tried_until) fallBackToErrorControl();
     // up to the next event, or to the end

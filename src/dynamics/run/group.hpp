@@ -41,7 +41,7 @@ class Group {
 
   /// The state of member k at a time t from the present to knownUntil().
   BodyState at(double t, std::size_t k) const {
-    return solved_ ? solved_->at(t) : present_.bodies[k];
+    return solved_ && t != t_ ? solved_->at(t) : present_.bodies[k];
   }
 
   /// Writes the laws' own states at present among those of all laws.

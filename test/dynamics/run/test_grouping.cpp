@@ -162,6 +162,22 @@ TEST(Simulation, LeavesOtherBodiesTheirBitsWhereAStepIsTakenBack) {
   expectSameBits(undisturbed.body(0), disturbed.body(0));
 }
 
+TEST(Simulation, CountsWhatAStepThatIsTakenBackEvaluatedOnce) {
+  Bench bench = fourBodies();
+  bench.world.bodies[1] = principalBody("b", 1e-300, {1e-300, 1e-300, 1e-300});
+  bench.initial.bodies[1] = toBodyState(bench.world.bodies[1], BodyFrameMotion());
+  bench.world.wrenches = {inAxesOf(3, 2, 0.1025, 1)};
+  PointWrench blow;
+  blow.body = 1;
+  blow.force = {1e300, 0, 0};
+  Simulation sim = bench.simulation("rk4", 0.01);
+  while (sim.steps() < 10) sim.step();
+  const std::int64_t before = sim.evaluations();
+  sim.applyWrench("blow", blow);
+  EXPECT_THROW(sim.step(), SimulationDiverged);
+  EXPECT_LE(sim.evaluations() - before, before / 10);  // of ten steps alike
+}
+
 TEST(Simulation, GoesOnFromAStateWithTheBitsOfTheRunThatItIsFrom) {
   std::vector<Bench> benches{fourBodies(), test::springPair(1), test::satellite(),
                              test::thrown({0.1, 0.2, 0.1}), test::pushedBox(kWorld, 0)};
