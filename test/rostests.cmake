@@ -2,19 +2,14 @@
 # test/ros/node/NAME.test with its program test_NAME.cpp beside it.
 find_package(rostest REQUIRED)
 find_package(roslaunch REQUIRED)
-# what drives the node in them
-add_library(rigid_body_sim_node_driver STATIC EXCLUDE_FROM_ALL
-  test/ros/node/node_driver.cpp test/ros/node/reference_run.cpp)
-target_include_directories(rigid_body_sim_node_driver PUBLIC test)
-target_link_libraries(rigid_body_sim_node_driver
-  PUBLIC rigid_body_sim_ros gtest PRIVATE rigid_body_sim_options)
 function(rigid_body_sim_rostest name)
   set(target rigid_body_sim_test_${name})
   add_rostest_gtest(${target} test/ros/node/${name}.test test/ros/node/test_${name}.cpp)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME test_${name} UNITY_BUILD OFF)
   target_link_libraries(${target} rigid_body_sim_node_driver ${ARGN} rigid_body_sim_options)
-  target_precompile_headers(${target} REUSE_FROM rigid_body_sim_test_math)
+  target_precompile_headers(${target} REUSE_FROM rigid_body_sim_node_driver)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  set_target_properties(${target} PROPERTIES RIGID_BODY_SIM_TEST ON)
   add_dependencies(${target} ${programs})
   target_compile_definitions(${target} PRIVATE ${program_definitions}
     RIGID_BODY_SIM_FOLLOWER_SCENE="${PROJECT_SOURCE_DIR}/test/ros/node/follower.yaml"

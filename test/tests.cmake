@@ -1,11 +1,25 @@
-# All gtests that need no ROS master. Their names are listed in gtests.txt of the build directory.
+# What drives the node in tests.
+add_library(rigid_body_sim_node_driver STATIC EXCLUDE_FROM_ALL
+  test/ros/node/node_driver.cpp test/ros/node/reference_run.cpp)
+target_include_directories(rigid_body_sim_node_driver PUBLIC test)
+target_link_libraries(rigid_body_sim_node_driver
+  PUBLIC rigid_body_sim_ros gtest PRIVATE rigid_body_sim_options)
+# compiled as the tests are, which share its precompiled header
+target_compile_definitions(rigid_body_sim_node_driver PRIVATE GTEST_HAS_PTHREAD=1)
+target_compile_options(rigid_body_sim_node_driver PRIVATE $<$<CONFIG:Release>:-O1>)
+set_target_properties(rigid_body_sim_node_driver PROPERTIES RIGID_BODY_SIM_TEST ON)
+target_precompile_headers(rigid_body_sim_node_driver
+  PRIVATE ${precompiled_ros_headers} <gtest/gtest.h>)
+
+# All gtests that need no ROS master. The names of those that the sanitizers run are listed in
+# gtests.txt of the build directory.
 add_custom_target(rigid_body_sim_gtests)
 file(WRITE ${CMAKE_BINARY_DIR}/gtests.txt "")
 
 # A program for each folder of tests, or for the files given. catkin's gtest targets take the plain
 # signature of target_link_libraries.
 function(rigid_body_sim_gtest name)
-  cmake_parse_arguments(ARG "" "" "FOLDERS;SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "UNSANITIZED" "HEADERS_OF" "FOLDERS;SOURCES;LIBRARIES" ${ARGN})
   set(target rigid_body_sim_test_${name})
   foreach(folder ${ARG_FOLDERS})
     file(GLOB sources CONFIGURE_DEPENDS test/${folder}/test_*.cpp)
@@ -22,11 +36,15 @@ function(rigid_body_sim_gtest name)
   set_target_properties(${target} PROPERTIES RIGID_BODY_SIM_TEST ON)
   if(name STREQUAL math)
     target_precompile_headers(${target} PRIVATE ${precompiled_headers} <gtest/gtest.h>)
+  elseif(ARG_HEADERS_OF)
+    target_precompile_headers(${target} REUSE_FROM ${ARG_HEADERS_OF})
   else()
     target_precompile_headers(${target} REUSE_FROM rigid_body_sim_test_math)
   endif()
-  add_dependencies(rigid_body_sim_gtests ${target})
-  file(APPEND ${CMAKE_BINARY_DIR}/gtests.txt "${target}\n")
+  if(NOT ARG_UNSANITIZED)
+    add_dependencies(rigid_body_sim_gtests ${target})
+    file(APPEND ${CMAKE_BINARY_DIR}/gtests.txt "${target}\n")
+  endif()
 endfunction()
 
 rigid_body_sim_gtest(math FOLDERS math LIBRARIES rigid_body_sim_core)
@@ -42,7 +60,8 @@ rigid_body_sim_gtest(scene FOLDERS scene LIBRARIES rigid_body_sim_scene)
 target_include_directories(rigid_body_sim_test_scene SYSTEM PRIVATE ${URDF_MODEL_INCLUDE_DIR})
 target_compile_definitions(rigid_body_sim_test_scene PRIVATE
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes")
-rigid_body_sim_gtest(node FOLDERS ros LIBRARIES rigid_body_sim_ros)
+rigid_body_sim_gtest(node
+  FOLDERS ros LIBRARIES rigid_body_sim_ros HEADERS_OF rigid_body_sim_node_driver)
 
 # programs that tests run, by the name of a definition
 set(program_definitions
@@ -55,7 +74,9 @@ set(program_definitions
   RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:rigid_body_sim_simulate>"
   RIGID_BODY_SIM_TRADE="$<TARGET_FILE:rigid_body_sim_trade>")
 
-rigid_body_sim_gtest(tools FOLDERS tools LIBRARIES rigid_body_sim_bag rigid_body_sim_tools)
+rigid_body_sim_gtest(tools
+  FOLDERS tools LIBRARIES rigid_body_sim_bag rigid_body_sim_tools
+  HEADERS_OF rigid_body_sim_node_driver)
 target_compile_definitions(rigid_body_sim_test_tools PRIVATE ${program_definitions})
 add_dependencies(rigid_body_sim_test_tools ${programs})
 
@@ -63,10 +84,11 @@ rigid_body_sim_gtest(trade FOLDERS tools/trade LIBRARIES rigid_body_sim_tools)
 target_compile_definitions(rigid_body_sim_test_trade PRIVATE ${program_definitions})
 add_dependencies(rigid_body_sim_test_trade rigid_body_sim_trade)
 
-# Boost and GSL are other people's elliptic functions to compare with; nothing else needs them.
+# Boost and GSL are other people's elliptic functions to compare with; nothing else needs them. Not
+# for sanitizers: Boost's take the compiler long, and ours are functions of numbers, without memory.
 find_package(GSL REQUIRED)
 rigid_body_sim_gtest(elliptic
-  FOLDERS math/elliptic LIBRARIES rigid_body_sim_core GSL::gsl)
+  UNSANITIZED FOLDERS math/elliptic LIBRARIES rigid_body_sim_core GSL::gsl)
 rigid_body_sim_gtest(extremes
   SOURCES test/extremes/test_extremes.cpp LIBRARIES rigid_body_sim_extreme_cases)
 rigid_body_sim_gtest(apart
