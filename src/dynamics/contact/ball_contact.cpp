@@ -144,6 +144,13 @@ double BallContact::rate(const Bodies& at, const std::vector<double>& /*speeds*/
   return std::max({relaxing, std::sqrt(frequency_squared), decay});
 }
 
+double BallContact::touchRadius(std::size_t k) const {
+  if (b_.body == kWorld) return std::numeric_limits<double>::infinity();
+  double radius = 0;
+  for (const Feature& ball : (k == 0 ? a_ : b_).balls) radius = std::max(radius, ball.reach());
+  return radius;
+}
+
 double BallContact::reach(const Bodies& at) const {
   double length = 0;
   forPairs(at, at.own, [&](std::size_t, const Now& now, const double*) {

@@ -40,6 +40,7 @@ class BallContact final : public ContactLaw {
   double quietInFlight(double t, const Bodies& at,
                        const std::vector<MotionBound>& bounds) const override;
   double longestStep(const Bodies& at, double precision) const override;
+  double touchRadius(std::size_t k) const override;
   bool holdsStill(const Bodies& at, const std::vector<Stray>& strays) const override;
   void addContacts(const Bodies& at, std::vector<ContactPoint>& contacts) const override;
   void addContactEvents(const Bodies& at, const double* before,
@@ -97,6 +98,7 @@ void BallContact::forPairs(const Bodies& at, const double* own, const F& f) cons
 
 template <class F>
 void BallContact::forTouching(const Bodies& at, const double* own, const F& f) const {
+  if (!acts(own)) return;
   const Frame a = frameOf(a_, at), b = frameOf(b_, at);
   for (std::size_t pair = 0; pair < pairCount(); ++pair, own += kOwnCount)
     if (modeOf(own) & kTouches) f(pair, now(pair, a, b, modeOf(own)), own);

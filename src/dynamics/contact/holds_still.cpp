@@ -80,19 +80,21 @@ bool PlaneContact::holdsStill(const Bodies& at, const std::vector<Stray>& strays
 }
 
 bool BallContact::holdsStill(const Bodies& at, const std::vector<Stray>& strays) const {
-  const auto strayOf = [&](const Side& side, double arm) {
-    if (side.body == kWorld) return Stray();
-    return Stray{strays[side.body].placeAt(arm), 0, strays[side.body].speedAt(arm), 0};
+  const auto strayOf = [&](const Side& side) {
+    return side.body == kWorld ? Stray() : strays[side.body];
   };
+  const Stray of_a = strayOf(a_), of_b = strayOf(b_);
   bool holds = true;
   forPairs(at, at.own, [&](std::size_t pair, const Now& now, const double* own) {
-    const Stray a = strayOf(a_, a_.balls[pair / b_.balls.size()].reach());
-    const Stray b = strayOf(b_, b_.balls[pair % b_.balls.size()].reach());
-    const double place = a.place + b.place, speed = a.speed + b.speed;
+    const Feature& ball_a = a_.balls[pair / b_.balls.size()];
+    const Feature& ball_b = b_.balls[pair % b_.balls.size()];
     if (!(now.mode & kTouches)) {
-      holds = holds && -now.point.depth > place;
+      holds = holds && -now.point.depth > of_a.placeAt(ball_a.center_P.norm()) +
+                                              of_b.placeAt(ball_b.center_P.norm());
       return;
     }
+    const double place = of_a.placeAt(ball_a.reach()) + of_b.placeAt(ball_b.reach());
+    const double speed = of_a.speedAt(ball_a.reach()) + of_b.speedAt(ball_b.reach());
     const double normal = now.point.force(c_) - lossOf(now.point, c_, place, speed);
     holds = holds && now.point.depth > place && normal > 0 && !(now.mode & kSlips) &&
             (!bristle_.exists() || sticks(bristle_, Vector3d(own[1], own[2], own[3]), now.slip_W,

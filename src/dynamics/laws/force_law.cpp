@@ -15,4 +15,8 @@ double ForceLaw::longestStep(const Bodies& /*at*/, double /*precision*/) const {
   return std::numeric_limits<double>::infinity();
 }
 
+double ForceLaw::touchRadius(std::size_t /*k*/) const {
+  return std::numeric_limits<double>::infinity();
+}
+
 }  // namespace rigid_body_sim

@@ -50,19 +50,33 @@ double errorEstimate(const System& system, double h, const std::vector<BodyState
   return worst;
 }
 
-/// end = start + h Σ weights[s] dots[s]. State by state within a stage, which compilers do several
-/// at a time.
-void advanceLaws(double h, const Weights& weights, std::size_t stages, Workspace& workspace,
+/// end = start + h Σ weights[s] dots[s], of the states that have moved since the step began.
+void advanceLaws(double h, const Weights& weights, std::size_t stages, const Workspace& workspace,
                  const std::vector<double>& start, std::vector<double>& end) {
   const std::size_t laws = start.size();
-  std::vector<double>& sums = workspace.law_sums;
-  sums.assign(laws, 0);
-  for (std::size_t s = 0; s < stages; ++s) {
-    const double weight = weights[s], *dots = workspace.law_dots.data() + s * laws;
-    if (weight == 0) continue;
-    for (std::size_t k = 0; k < laws; ++k) sums[k] += weight * dots[k];
+  for (std::size_t k : workspace.moving_laws) {
+    double sum = 0;
+    for (std::size_t s = 0; s < stages; ++s) sum += weights[s] * workspace.law_dots[s * laws + k];
+    end[k] = start[k] + h * sum;
   }
-  for (std::size_t k = 0; k < laws; ++k) end[k] = start[k] + h * sums[k];
+}
+
+/// All wrenches at a stage, and the rates of laws: those that move are added to those that have
+/// moved before. Most do not: they are modes, or belong to what does not touch.
+void evaluateWithLaws(const System& system, std::size_t stage, Workspace& workspace,
+                      std::vector<double>& rates) {
+  if (stage == 0) {
+    workspace.moving_laws.clear();
+    workspace.has_moved.assign(workspace.stages.laws.size(), 0);
+  }
+  evaluateAllWithRates(system, workspace.stages, workspace, rates);
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    if (rates[k] != 0 && !workspace.has_moved[k]) {
+      workspace.has_moved[k] = 1;
+      workspace.moving_laws.push_back(k);
+    }
+  std::copy(rates.begin(), rates.end(),
+            workspace.law_dots.begin() + static_cast<std::ptrdiff_t>(stage * rates.size()));
 }
 
 /// The rates at all stages of a step of h, stage by stage.
@@ -85,18 +99,16 @@ void evaluateStages(const System& system, double h, const SystemState& states,
     if (stage > 0 && laws > 0)
       advanceLaws(h, dop853::kA[stage], stage, workspace, states.laws, workspace.stages.laws);
     if (laws > 0)
-      evaluateAllWithRates(system, workspace.stages, workspace, law_rates);
+      evaluateWithLaws(system, stage, workspace, law_rates);
     else
       evaluateAllWrenches(system, workspace.stages, workspace);
     for (std::size_t i = 0; i < n; ++i)
       dots[stage * n + i] =
           stateDot(*system.bodies[i], workspace.stages.bodies[i], workspace.wrenches[i]);
-    std::copy(law_rates.begin(), law_rates.end(),
-              workspace.law_dots.begin() + static_cast<std::ptrdiff_t>(stage * laws));
   }
 }
 
-void endStep(double h, Workspace& workspace, SystemState& states) {
+void endStep(double h, const Workspace& workspace, SystemState& states) {
   const std::size_t n = states.bodies.size(), laws = workspace.law_dots.size() / kStages;
   for (std::size_t i = 0; i < n; ++i) {
     BodyStateDot sum;

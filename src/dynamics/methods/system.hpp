@@ -56,7 +56,9 @@ struct Workspace {
   std::int64_t evaluations = 0;  ///< of all wrenches, since the workspace was made
   SystemState stages;
   std::vector<BodyStateDot> dots;
-  std::vector<double> law_dots, law_sums;
+  std::vector<double> law_dots;
+  std::vector<std::size_t> moving_laws;  // states of laws that move within a step
+  std::vector<char> has_moved;           // state by state
   StepBound step_bound;
   double error = 0;  ///< estimated by the last step (Claim kEstimatesError); infinity: not followed
 };

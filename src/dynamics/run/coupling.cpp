@@ -1,6 +1,7 @@
 #include "dynamics/run/coupling.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -127,10 +128,30 @@ LawTable::LawTable(const World& world) : of_body_(world.bodies.size()) {
     const ForceLaw& law = *world.laws[i];
     first_state_.push_back(state_count_);
     state_count_ += law.stateCount();
-    if (law.guardCount() > 0) guarded_.push_back(i);
     if (law.needs() & kContact) contacts_.push_back(i);
+    if (law.guardCount() > 0 && std::isfinite(law.touchRadius(0))) {
+      of_pairs_.push_back(i);
+      continue;
+    }
+    if (law.guardCount() > 0) guarded_.push_back(i);
     for (std::size_t body : law.members()) of_body_[body].push_back(i);
   }
+}
+
+void LawTable::setCandidates(const World& world, const std::vector<std::size_t>& laws) {
+  if (laws == candidates_) return;
+  const auto isOfPair = [this](std::size_t law) {
+    return std::binary_search(of_pairs_.begin(), of_pairs_.end(), law);
+  };
+  const auto clear = [&](std::size_t body) {
+    std::vector<std::size_t>& of = of_body_[body];
+    of.erase(std::remove_if(of.begin(), of.end(), isOfPair), of.end());
+  };
+  for (std::size_t law : candidates_)
+    for (std::size_t body : world.laws[law]->members()) clear(body);
+  for (std::size_t law : laws)
+    for (std::size_t body : world.laws[law]->members()) of_body_[body].push_back(law);
+  candidates_ = laws;
 }
 
 std::vector<double> LawTable::start(const World& world) const {

@@ -32,10 +32,17 @@ class LawTable {
   std::size_t firstState(std::size_t law) const { return first_state_[law]; }
   std::size_t stateCount() const { return state_count_; }
 
-  /// Laws of which a body is a member.
+  /// Laws of which a body is a member; of those that need it to be near another one
+  /// (ForceLaw::touchRadius), the ones put by setCandidates.
   const std::vector<std::size_t>& of(std::size_t body) const { return of_body_[body]; }
 
-  /// Laws with guards that may begin to act while they do not.
+  /// Laws that need two bodies to be near each other, ascending; all, and
+  /// those of bodies that may come near each other for now.
+  const std::vector<std::size_t>& ofPairs() const { return of_pairs_; }
+  const std::vector<std::size_t>& candidates() const { return candidates_; }
+  void setCandidates(const World& world, const std::vector<std::size_t>& laws);
+
+  /// Other laws with guards, that may begin to act while they do not.
   const std::vector<std::size_t>& guarded() const { return guarded_; }
 
   /// Those of them that are contacts.
@@ -50,6 +57,7 @@ class LawTable {
   std::vector<std::vector<std::size_t>> of_body_;
   std::vector<std::size_t> guarded_;
   std::vector<std::size_t> contacts_;
+  std::vector<std::size_t> of_pairs_, candidates_;
 };
 
 /// Groups those bodies that the laws and wrenches which act now link with one another. bodies: all

@@ -76,6 +76,9 @@ class Group {
   /// Whether its motion is known beforehand: solved, or at rest.
   bool isForeseen() const { return !choice().method || isAtRest(); }
 
+  /// See Stepper::setRoams; member by member.
+  void setRoams(std::vector<Roam> roams) { stepper_->setRoams(std::move(roams)); }
+
   /// Whether a law belongs to it, acting or not; an index of the world.
   bool follows(std::size_t law) const;
 

@@ -15,7 +15,10 @@ void Group::settle(ExchangeMeter& meter) {
 }
 
 bool Group::follows(std::size_t law) const {
-  return std::find(stateful_laws_.begin(), stateful_laws_.end(), law) != stateful_laws_.end();
+  const auto isIn = [law](const std::vector<std::size_t>& laws) {
+    return std::binary_search(laws.begin(), laws.end(), law);
+  };
+  return isIn(bodies_.laws) || (stepper_ && isIn(bodies_.waiting));
 }
 
 void Group::moveContactEvents(std::vector<ContactEvent>& events) {

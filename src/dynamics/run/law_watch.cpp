@@ -93,6 +93,17 @@ double LawWatch::quietInFlight(double t, const double* own, const Motion& motion
   return compact_law_->quietInFlight(t, {bodies_, now, own}, bounds);
 }
 
+bool LawWatch::mayAct(const double* own, const RoamOf& roam) const {
+  std::vector<BodyState> states;
+  std::vector<Stray> strays;
+  for (std::size_t body : members_) {
+    const Roam& of_body = roam(body);
+    states.push_back(of_body.from);
+    strays.push_back({of_body.place, of_body.turn, 0, 0});
+  }
+  return !compact_law_->holdsStill({bodies_, states, own}, strays);
+}
+
 /// By halves, to rounding; a guard is below zero at `after`.
 double LawWatch::firstBelowAfter(double before, double after, const double* own,
                                  const Motion& motion) const {

@@ -7,6 +7,8 @@
 
 #include <rigid_body_sim/dynamics/world.hpp>
 
+#include "dynamics/run/roam.hpp"
+
 namespace rigid_body_sim {
 
 /// Watches a law that does not act, on bodies whose motion it does not disturb meanwhile, for the
@@ -38,6 +40,12 @@ class LawWatch {
 
   /// The same as ForceLaw::quietInFlight, the law and the bounds by the members.
   double quietInFlight(double t, const double* own, const Motion& motion, const Bound& bound) const;
+
+  /// How far a body goes.
+  using RoamOf = std::function<const Roam&(std::size_t body)>;
+
+  /// Whether a guard may fall below zero while its bodies go no further.
+  bool mayAct(const double* own, const RoamOf& roam) const;
 
   /// Switches the modes at an event, and adds touches and releases of contacts to `events`.
   void switchModes(double t, double* own, const Motion& motion,

@@ -1,6 +1,7 @@
 #include "dynamics/run/law_watches.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
@@ -27,46 +28,60 @@ bool isForeseen(const LawWatch& watch, const Groups& groups) {
                      [&](std::size_t body) { return groups.of(body).isForeseen(); });
 }
 
-/// Whether bodies of which some are integrated may touch before t_end. What acts on them is not
-/// known beforehand: within the step they may reverse and double their speed, and fall twice as
-/// fast.
-bool isNear(const LawWatch& watch, const WatchedRun& run, double t, double t_end) {
-  const double h = t_end - t;
-  const auto motion = [&](std::size_t body, double at) { return run.groups.at(body, at); };
-  const auto bound = [&](std::size_t body) {
-    const BodyState s = motion(body, t);
-    const Body& of = run.world.bodies[body];
-    MotionBound loose;
-    loose.a_off = 4 * s.p_W.norm() / of.mass / h + 2 * run.world.g_W.norm();
-    loose.torque = (4 * s.L_P.norm() + 4 * radiusOfGyration(of) * s.p_W.norm()) / h;
-    loose.until = kNever;
-    return std::optional<MotionBound>(loose);
-  };
-  return watch.quietInFlight(t, ownStates(watch, run), motion, bound) < t_end;
-}
-
 }  // namespace
 
 LawWatches::LawWatches(const World& world, const LawTable& laws, std::set<std::size_t> near)
-    : near_(std::move(near)) {
+    : pairs_(world, laws), near_(std::move(near)) {
   for (std::size_t law : laws.guarded()) watches_.emplace_back(world, law, laws.firstState(law));
   wakeUp();
 }
 
+template <class F>
+void LawWatches::forWatches(const F& f) {
+  for (LawWatch& watch : watches_) f(watch);
+  for (LawWatch& watch : candidates_) f(watch);
+}
+
 void LawWatches::wakeUp() {
-  for (LawWatch& watch : watches_) watch.wakeUp();
-  quiet_until_ = watches_.empty() ? kNever : kNotKnown;
+  forWatches([](LawWatch& watch) { watch.wakeUp(); });
+  pairs_.forget();
+  quiet_until_ = watches_.empty() && !pairs_.hasLaws() ? kNever : kNotKnown;
 }
 
 void LawWatches::wakeUp(const std::vector<std::size_t>& bodies) {
-  for (LawWatch& watch : watches_) {
-    const auto isHere = [&bodies](std::size_t body) {
-      return std::binary_search(bodies.begin(), bodies.end(), body);
-    };
-    if (!std::any_of(watch.members().begin(), watch.members().end(), isHere)) continue;
+  const auto isHere = [&bodies](std::size_t body) {
+    return std::binary_search(bodies.begin(), bodies.end(), body);
+  };
+  forWatches([&](LawWatch& watch) {
+    if (!std::any_of(watch.members().begin(), watch.members().end(), isHere)) return;
     watch.wakeUp();
     quiet_until_ = kNotKnown;
+  });
+  if (!pairs_.hasLaws()) return;
+  pairs_.forget();
+  quiet_until_ = kNotKnown;
+}
+
+bool LawWatches::findCandidates(const WatchedRun& run, double t_end) {
+  if (!pairs_.hasLaws() || t_end <= pairs_.until()) return false;
+  pairs_.sweep(run.world, run.groups, run.schedules, run.time, t_end);
+  std::vector<LawWatch> found;
+  for (std::size_t law : pairs_.candidates()) {
+    if (LawWatch* known = candidate(law))
+      found.push_back(*known);
+    else
+      found.emplace_back(run.world, law, run.laws.firstState(law));
   }
+  candidates_ = std::move(found);
+  return true;
+}
+
+/// The watch of such a law; null where it is none of the candidates.
+LawWatch* LawWatches::candidate(std::size_t law) {
+  const auto at =
+      std::lower_bound(candidates_.begin(), candidates_.end(), law,
+                       [](const LawWatch& watch, std::size_t of) { return watch.law() < of; });
+  return at != candidates_.end() && at->law() == law ? &*at : nullptr;
 }
 
 void LawWatches::restart() {
@@ -82,9 +97,10 @@ bool LawWatches::isWatched(const LawWatch& watch, const WatchedRun& run) const {
 }
 
 void LawWatches::findQuiet(const WatchedRun& run) {
-  quiet_until_ = kNever;
-  for (const LawWatch& watch : watches_)
+  quiet_until_ = pairs_.hasLaws() ? pairs_.until() : kNever;
+  forWatches([&](const LawWatch& watch) {
     if (isWatched(watch, run)) quiet_until_ = std::min(quiet_until_, watch.quietUntil());
+  });
   for (const Group& group : run.groups.all()) {
     if (group.mayStop()) quiet_until_ = kNotKnown;
     if (group.isAtRest()) quiet_until_ = std::min(quiet_until_, group.restsUntil(run.schedules));
@@ -93,12 +109,34 @@ void LawWatches::findQuiet(const WatchedRun& run) {
 
 std::optional<LawWatches::Event> LawWatches::firstEvent(const WatchedRun& run, double t_end) {
   std::optional<Event> first;
-  for (LawWatch& watch : watches_) {
+  forWatches([&](LawWatch& watch) {
     const double until = first ? first->t : t_end;
-    if (until < watch.quietUntil() || !isWatched(watch, run)) continue;
+    if (until < watch.quietUntil() || !isWatched(watch, run)) return;
     if (const std::optional<Event> event = eventOf(watch, run, until)) first = event;
-  }
+  });
   return first;
+}
+
+/// Whether bodies of which some are integrated may touch before t_end: within how far they are
+/// taken to go, where the law needs them to be near each other. For other laws, they may reverse
+/// and double their speed within the step, and fall twice as fast.
+bool LawWatches::isNear(const LawWatch& watch, const WatchedRun& run, double t,
+                        double t_end) const {
+  if (std::isfinite(run.world.laws[watch.law()]->touchRadius(0)))
+    return watch.mayAct(ownStates(watch, run),
+                        [this](std::size_t body) -> const Roam& { return pairs_.roam(body); });
+  const double h = t_end - t;
+  const auto motion = [&](std::size_t body, double at) { return run.groups.at(body, at); };
+  const auto bound = [&](std::size_t body) {
+    const BodyState s = motion(body, t);
+    const Body& of = run.world.bodies[body];
+    MotionBound loose;
+    loose.a_off = 4 * s.p_W.norm() / of.mass / h + 2 * run.world.g_W.norm();
+    loose.torque = (4 * s.L_P.norm() + 4 * radiusOfGyration(of) * s.p_W.norm()) / h;
+    loose.until = kNever;
+    return std::optional<MotionBound>(loose);
+  };
+  return watch.quietInFlight(t, ownStates(watch, run), motion, bound) < t_end;
 }
 
 std::optional<LawWatches::Event> LawWatches::eventOf(LawWatch& watch, const WatchedRun& run,
@@ -125,14 +163,19 @@ std::optional<LawWatches::Event> LawWatches::eventOf(LawWatch& watch, const Watc
 
 std::vector<std::size_t> LawWatches::forgetFar(const WatchedRun& run, double t_end) {
   std::vector<std::size_t> parted;
-  for (const LawWatch& watch : watches_) {
-    const auto kept = near_.find(watch.law());
-    if (kept == near_.end()) continue;
+  std::set<std::size_t> kept;
+  const auto consider = [&](const LawWatch& watch) {
+    if (near_.erase(watch.law()) == 0) return;
     const bool still_acts = acts(watch, run);
-    if (!still_acts && isNear(watch, run, run.time, t_end)) continue;
-    near_.erase(kept);
-    if (!still_acts) parted.insert(parted.end(), watch.members().begin(), watch.members().end());
-  }
+    if (!still_acts && isNear(watch, run, run.time, t_end)) kept.insert(watch.law());
+    if (!still_acts && kept.count(watch.law()) == 0)
+      parted.insert(parted.end(), watch.members().begin(), watch.members().end());
+  };
+  forWatches(consider);
+  // what is left is no candidate any more
+  for (std::size_t law : near_)
+    for (std::size_t body : run.world.laws[law]->members()) parted.push_back(body);
+  near_ = std::move(kept);
   return parted;
 }
 

@@ -7,12 +7,14 @@
 
 #include "dynamics/run/groups.hpp"
 #include "dynamics/run/law_watch.hpp"
+#include "dynamics/run/pair_sweep.hpp"
 
 namespace rigid_body_sim {
 
 /// What laws that may begin to act are watched on: a run at the present.
 struct WatchedRun {
   const World& world;
+  const LawTable& laws;
   const Groups& groups;
   const std::vector<WrenchSchedule>& schedules;
   const std::vector<double>& law_states;  ///< State::laws
@@ -35,6 +37,11 @@ class LawWatches {
 
   /// The same, and forgets which bodies are near.
   void restart();
+
+  /// Finds, where that is not known, which laws may act up to t_end that need bodies to be near
+  /// each other. Returns whether they were looked for; see PairSweep.
+  bool findCandidates(const WatchedRun& run, double t_end);
+  const PairSweep& pairs() const { return pairs_; }
 
   /// Finds quietUntil anew.
   void findQuiet(const WatchedRun& run);
@@ -61,8 +68,14 @@ class LawWatches {
  private:
   bool isWatched(const LawWatch& watch, const WatchedRun& run) const;
   std::optional<Event> eventOf(LawWatch& watch, const WatchedRun& run, double t_end) const;
+  bool isNear(const LawWatch& watch, const WatchedRun& run, double t, double t_end) const;
+  LawWatch* candidate(std::size_t law);
+  template <class F>
+  void forWatches(const F& f);
 
-  std::vector<LawWatch> watches_;
+  std::vector<LawWatch> watches_;     // of laws whose bodies may be anywhere
+  PairSweep pairs_;                   // the other laws
+  std::vector<LawWatch> candidates_;  // those of them that may act now, by ascending laws
   std::set<std::size_t> near_;
   double quiet_until_;
 };

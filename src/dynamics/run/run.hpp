@@ -73,11 +73,12 @@ class Run {
   void advanceLinking(double t_end, Meter&... meter);
   template <class... Meter>
   void settle(double t_end, Meter&... meter);
+  void findCandidates(double t_end);
   void beginLinking(double t_end);
   template <class... Meter>
   void advanceToEvent(const LawWatches::Event& event, double t_end, Meter&... meter);
   template <class... Meter>
-  void advanceTo(double t, double t_end, const std::vector<std::size_t>& bodies, Meter&... meter);
+  bool advanceTo(double t, double t_end, const std::vector<std::size_t>& bodies, Meter&... meter);
   template <class... Meter>
   bool advanceContact(double limit, double t_end, Meter&... meter);
   template <class... Meter>

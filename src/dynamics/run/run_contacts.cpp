@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "dynamics/run/run.hpp"
 
@@ -25,10 +26,16 @@ void Run::startContacts(const std::vector<std::size_t>& laws,
 
 /// After the state of a body was set from outside.
 void Run::restartContacts(std::size_t body) {
-  std::vector<std::size_t> contacts;
-  for (std::size_t law : laws_.of(body))
-    if (world_->laws[law]->startsAnew()) contacts.push_back(law);
-  if (contacts.empty()) return;
+  std::set<std::size_t> anew;
+  const auto addThose = [&] {
+    for (std::size_t law : laws_.of(body))
+      if (world_->laws[law]->startsAnew()) anew.insert(law);
+  };
+  addThose();
+  findCandidates(time_);  // where the body is now
+  addThose();
+  if (anew.empty()) return;
+  const std::vector<std::size_t> contacts(anew.begin(), anew.end());
   law_states_ = lawStates();
   const std::vector<double> before = law_states_;
   std::vector<BodyState> bodies;

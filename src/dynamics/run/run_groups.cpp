@@ -68,6 +68,10 @@ void Run::place(const State& start, bool scheduled) {
   contact_events_.clear();
   if (start.laws.empty()) startContacts(laws_.contacts(), start.bodies);
   watches_.restart();
+  std::vector<std::size_t> acting;
+  for (std::size_t law : laws_.ofPairs())
+    if (world_->laws[law]->acts(law_states_.data() + laws_.firstState(law))) acting.push_back(law);
+  laws_.setCandidates(*world_, acting);
   formGroups(start, scheduled);
   findNextLink();
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "dynamics/run/run.hpp"
 
@@ -35,8 +36,16 @@ BodyState Run::bodyAt(std::size_t body, double t) const {
 }
 
 WatchedRun Run::watched() const {
-  return {*world_,     groups_, schedules_,
-          law_states_, time_,   [this](std::size_t body, double t) { return bodyAt(body, t); }};
+  return {
+      *world_, laws_, groups_, schedules_, law_states_, time_, [this](std::size_t body, double t) {
+        return bodyAt(body, t);
+      }};
+}
+
+/// Lets everything know which laws may act up to t_end that need bodies to be near each other.
+void Run::findCandidates(double t_end) {
+  if (watches_.findCandidates(watched(), t_end))
+    laws_.setCandidates(*world_, watches_.pairs().candidates());
 }
 
 /// Before bodies are linked or parted within a step. Parts those that were linked for no more than
@@ -45,6 +54,7 @@ void Run::beginLinking(double t_end) {
   step_.beginRegrouping(groups_, lawStates());
   contact_events_.clear();
   contact_events_step_ = steps_ + 1;
+  findCandidates(t_end);
   if (watches_.near().empty()) return;
   law_states_ = lawStates();
   const std::vector<std::size_t> parted = watches_.forgetFar(watched(), t_end);
@@ -63,14 +73,14 @@ void Run::advanceLinking(double t_end, Meter&... meter) {
                                "a step links and parts bodies 100000 times");
     if (links > 0) findNextLink();
     const double limit = std::min(t_end, next_link_);
+    findCandidates(limit);
     if (const auto event = watches_.firstEvent(watched(), limit)) {
       advanceToEvent(*event, t_end, meter...);
     } else if (!advanceContact(limit, t_end, meter...)) {
       if (!(next_link_ <= t_end)) break;
       const double t = next_link_;
       const std::vector<std::size_t> bodies = linkedFrom(t);
-      advanceTo(t, t_end, bodies, meter...);
-      regroup(bodies, t);
+      if (advanceTo(t, t_end, bodies, meter...)) regroup(bodies, t);
     }
   }
   std::stable_sort(contact_events_.begin(), contact_events_.end(),
@@ -97,7 +107,7 @@ void Run::settle(double t_end, Meter&... meter) {
 template <class... Meter>
 void Run::advanceToEvent(const LawWatches::Event& event, double t_end, Meter&... meter) {
   const LawWatch& watch = *event.watch;
-  advanceTo(event.t, t_end, watch.members(), meter...);
+  if (!advanceTo(event.t, t_end, watch.members(), meter...)) return;
   if (event.is_near)
     watches_.setNear(watch);
   else
@@ -124,11 +134,18 @@ bool Run::advanceContact(double limit, double t_end, Meter&... meter) {
 }
 
 /// Advances the groups of these bodies to an instant t within the step, for good or until the step
-/// is taken back.
+/// is taken back. False where one of them stops before, because a contact begins or ceases to act.
 template <class... Meter>
-void Run::advanceTo(double t, double t_end, const std::vector<std::size_t>& bodies,
+bool Run::advanceTo(double t, double t_end, const std::vector<std::size_t>& bodies,
                     Meter&... meter) {
-  for (std::size_t g : groups_.indicesOf(*world_, bodies)) advanceGroup(g, t, t_end, meter...);
+  for (std::size_t g : groups_.indicesOf(*world_, bodies)) {
+    const std::vector<std::size_t> members = groups_[g].members();
+    const double stop = advanceGroup(g, t, t_end, meter...);
+    if (!groups_[g].switchedModes() || !(stop < t)) continue;
+    regroup(members, stop);
+    return false;
+  }
+  return true;
 }
 
 /// Returns where it has led to, t unless the group stops before.
@@ -136,6 +153,11 @@ template <class... Meter>
 double Run::advanceGroup(std::size_t g, double t, double t_end, Meter&... meter) {
   step_.beginGroup(g, t_end, groups_, schedules_);
   step_.keepGroup(g, time_, groups_);
+  if (watches_.pairs().hasLaws() && groups_[g].mayStop()) {
+    std::vector<Roam> roams;
+    for (std::size_t body : groups_[g].members()) roams.push_back(watches_.pairs().roam(body));
+    groups_[g].setRoams(std::move(roams));
+  }
   advance(groups_[g], t, schedules_, meter...);
   const double reached = groups_[g].advancedTo(t);
   groups_[g].accept(reached);

@@ -3,6 +3,7 @@
 #include "dynamics/run/event_search.hpp"
 #include "dynamics/run/exchange_meter.hpp"
 #include "dynamics/run/method_choice.hpp"
+#include "dynamics/run/roam.hpp"
 
 namespace rigid_body_sim {
 
@@ -55,6 +56,10 @@ class Stepper {
   /// As they were, in a state that is taken up.
   void restAsBefore() { at_rest_ = true; }
 
+  /// Makes advance() stop, as at an event, where a body of a system with contact has nearly used
+  /// up how far it is taken to go; body by body. Empty: none does.
+  void setRoams(std::vector<Roam> roams) { roams_ = std::move(roams); }
+
   /// [s] Where the last advance() stopped.
   double stoppedAt() const { return stopped_at_; }
 
@@ -78,6 +83,7 @@ class Stepper {
   StepBound contactBound() const;
   double longestStep(const System& system, double h, const SystemState& states) const;
   double takeEstimatedStep(const System& system, double h, SystemState& states, double& next);
+  bool isBeyond(const SystemState& states) const;
   bool switchContacts(const System& system, double t, SystemState& states, double& energy);
   template <class Meter>
   void visit(const System& system, double t, double h, const SystemState& states, Meter& meter);
@@ -94,6 +100,7 @@ class Stepper {
   int max_substeps_ = 1;
   double stopped_at_ = 0;
   bool at_rest_ = false;
+  std::vector<Roam> roams_;
   std::vector<ContactEvent> contact_events_;
 };
 

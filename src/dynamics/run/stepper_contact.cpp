@@ -78,6 +78,12 @@ double Stepper::takeEstimatedStep(const System& system, double h, SystemState& s
   throw StepTooLong(std::string(choice_.method->name) + " cannot follow a contact");
 }
 
+bool Stepper::isBeyond(const SystemState& states) const {
+  for (std::size_t k = 0; k < roams_.size(); ++k)
+    if (roams_[k].isNearlyUsedUp(states.bodies[k])) return true;
+  return false;
+}
+
 /// Returns whether a law has begun or ceased to act.
 bool Stepper::switchContacts(const System& system, double t, SystemState& states, double& energy) {
   const std::vector<bool> acted = actingLaws(system, states);
@@ -107,10 +113,12 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     const double length = events_.firstEvent(piece, start, states);
     visit(system, t + done, length, start, meter);
     done = length == left ? h : done + length;
-    if (!events_.found()) continue;
-    double energy = 0;
-    const bool stops = switchContacts(system, t + done, states, energy);
-    meter.addEnergy(energy);
+    bool stops = done < h && isBeyond(states);
+    if (events_.found()) {
+      double energy = 0;
+      stops |= switchContacts(system, t + done, states, energy);
+      meter.addEnergy(energy);
+    }
     if (!stops) continue;
     stopped_at_ = done == h ? t + h : std::min(t + done, t + h);
     return true;
