@@ -22,7 +22,7 @@ rigid_body_sim_benchmark(instructions
 include(test/benchmark/peers.cmake)
 find_package(benchmark)
 if(benchmark_FOUND)
-  foreach(name mesh_mass rotor taylor)
+  foreach(name mesh_mass free_top taylor)
     rigid_body_sim_benchmark(benchmark_${name}
       SOURCES test/benchmark/${name}.cpp LIBRARIES rigid_body_sim_scene benchmark::benchmark)
   endforeach()

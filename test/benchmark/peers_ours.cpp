@@ -3,7 +3,7 @@
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
 #include "dynamics/methods/catalogue.hpp"
-#include "dynamics/rotation/rotor.hpp"
+#include "dynamics/rotation/free_top.hpp"
 #include "dynamics/taylor/taylor_segment.hpp"
 #include "tools/trade/cpu_time.hpp"
 
@@ -56,8 +56,8 @@ Quaternion<long double> trueAttitude(const Problem& p) {
   s.L_W = rotate(s.q_WP, s.L_P);
   const Quaternion<long double> q_PB = body.q_BP.cast<long double>().conjugate();
   if (!p.isPushed()) {
-    const Rotor<long double> rotor(body.I.cast<long double>());
-    return rotor.from(s.q_WP, s.L_P, s.L_W).at(p.duration).q_WP * q_PB;
+    const FreeTop<long double> top(body.I.cast<long double>());
+    return top.from(s.q_WP, s.L_P, s.L_W).at(p.duration).q_WP * q_PB;
   }
   HeldWrenchSum held;
   held.add(pushOf(p, body));

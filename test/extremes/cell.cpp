@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "dynamics/rotation/rotor.hpp"
+#include "dynamics/rotation/free_top.hpp"
 #include "support/reference_free_rotation.hpp"
 
 namespace rigid_body_sim::extremes {
@@ -22,7 +22,7 @@ Real energyOf(const Body& body, const Motion& m) {
 Real relative(Real error, Real size) { return size > 0 ? error / size : error; }
 
 /// L_P with the magnitude of L_W: to a unit of rounding a state's two accounts of the angular
-/// momentum are two motions, and the rotor's is this one.
+/// momentum are two motions, and the free top's is this one.
 Vector angularMomentumOf(const BodyState& s) {
   const Vector L_P = s.L_P.cast<Real>();
   const Real size = L_P.norm();
@@ -43,7 +43,7 @@ void turnFreely(const Body& body, const BodyState& start, double duration, Truth
   if (truth == Truth::quad_series) return turnBySeries<Quad>(body, start, duration, m);
   const Vector I = body.I.cast<Real>();
   const RotationState<Real> end =
-      Rotor<Real>(I)
+      FreeTop<Real>(I)
           .from(start.q_WP.cast<Real>(), angularMomentumOf(start), start.L_W.cast<Real>())
           .at(Real(duration));
   m.q = end.q_WP;

@@ -59,7 +59,7 @@ void compare(const test::Bench& bench, const State& state, const Ends& truth, Ce
 enum class Truth {
   series,       ///< Taylor series of Euler's equations in long double: nothing of the closed form
   quad_series,  ///< the same in 113 bits
-  closed_form   ///< the rotor in long double, which a million turns cost no digits
+  closed_form   ///< the free top in long double, which a million turns cost no digits
 };
 
 /// The motion of bodies on which nothing but gravity acts, after a duration [s].

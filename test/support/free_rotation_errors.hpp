@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <limits>
 
-#include "dynamics/rotation/rotor.hpp"
+#include "dynamics/rotation/free_top.hpp"
 #include "support/body_families.hpp"
 #include "support/reference_free_rotation.hpp"
 
 namespace rigid_body_sim {
 
 inline FreeRotation<double> freeRotation(const SpinningBody& body) {
-  return Rotor<double>(body.I).from(body.q_WP, body.L_P, body.L_W());
+  return FreeTop<double>(body.I).from(body.q_WP, body.L_P, body.L_W());
 }
 
 /// The reference at t. Its L_P has the magnitude of L_W: to a unit of rounding the two accounts of
-/// the angular momentum are two motions, and the rotor's is this one.
+/// the angular momentum are two motions, and the free top's is this one.
 template <class R = long double>
 ReferenceFreeRotation<R> referenceAt(const SpinningBody& body, double t) {
   const Vector3<long double> L_P = body.L_P.cast<long double>();

@@ -4,8 +4,8 @@
 namespace rigid_body_sim {
 
 // Drifts and kicks in turn, of order 6 with small error terms. It takes for granted that the
-// kinetic energy is quadratic in the momenta and that drifts are exact, as the rotor's are. Source:
-// Blanes & Moan, J. Comput. Appl. Math. 142 (2002) 313, SRKN 14A.
+// kinetic energy is quadratic in the momenta and that drifts are exact, as the free top's are.
+// Source: Blanes & Moan, J. Comput. Appl. Math. 142 (2002) 313, SRKN 14A.
 void blanesMoan6Step(const System& system, double h, SystemState& states, Workspace& workspace) {
   constexpr double a1 = 0.0378593198406116, a2 = 0.102635633102435, a3 = -0.0258678882665587,
                    a4 = 0.314241403071447, a5 = -0.130144459517415, a6 = 0.106417700369543,

@@ -8,7 +8,7 @@ FreeFlight::FreeFlight(const Body& body, const Vector3d& f_W, const BodyState& s
     : start_(start),
       f_W_(f_W),
       mass_(body.mass),
-      rotation_(Rotor<double>(body.I).from(start.q_WP, start.L_P, start.L_W)) {}
+      rotation_(FreeTop<double>(body.I).from(start.q_WP, start.L_P, start.L_W)) {}
 
 BodyState FreeFlight::at(double dt) const {
   BodyState state = start_;

@@ -2,7 +2,7 @@
 
 #include <rigid_body_sim/dynamics/state.hpp>
 
-#include "dynamics/rotation/rotor.hpp"
+#include "dynamics/rotation/free_top.hpp"
 
 namespace rigid_body_sim {
 

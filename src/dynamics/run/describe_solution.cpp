@@ -4,7 +4,7 @@
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 
-#include "dynamics/rotation/rotor.hpp"
+#include "dynamics/rotation/free_top.hpp"
 #include "dynamics/wrenches/held_wrench.hpp"
 
 namespace rigid_body_sim {
@@ -52,7 +52,7 @@ std::string whatActs(const World& world, const std::vector<std::string>& laws, b
 }
 
 const char* kindOf(const Body& body) {
-  switch (Rotor<double>(body.I).kind()) {
+  switch (FreeTop<double>(body.I).kind()) {
     case InertiaKind::spherical:
       return "spherical";
     case InertiaKind::symmetric:

@@ -110,7 +110,7 @@ Reference computeReference(const World& world, const State& initial, double dura
   }
   Track check;
   if (solved && world.wrenches.empty()) {
-    // the rotor is the better of the two: it accumulates nothing where a rotation is unstable
+    // the free top is the better of the two: it accumulates nothing where a rotation is unstable
     reference.check = "the exact rotation";
     check = freeTrack(world, initial, duration, kInstants);
     std::swap(reference.method, reference.check);

@@ -4,7 +4,7 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
-#include "dynamics/rotation/rotor.hpp"
+#include "dynamics/rotation/free_top.hpp"
 #include "dynamics/step_too_long.hpp"
 #include "dynamics/taylor/taylor_segment.hpp"
 #include "dynamics/wrenches/wrench_schedule.hpp"
@@ -96,7 +96,7 @@ std::vector<State> freeTrack(const World& world, const State& initial, double du
     const Fine start = fine(initial.bodies[i]);
     const auto g_W = world.g_W.cast<long double>();
     const FreeRotation<long double> rotation =
-        Rotor<long double>(body.I.cast<long double>()).from(start.q_WP, start.L_P, start.L_W);
+        FreeTop<long double>(body.I.cast<long double>()).from(start.q_WP, start.L_P, start.L_W);
     for (std::size_t k = 1; k < track.size(); ++k) {
       const long double t = track[k].t;
       const RotationState<long double> turned = rotation.at(t);

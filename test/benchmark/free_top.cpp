@@ -1,4 +1,4 @@
-#include "dynamics/rotation/rotor.hpp"
+#include "dynamics/rotation/free_top.hpp"
 
 #include <vector>
 
@@ -26,23 +26,23 @@ std::vector<SpinningBody> bodiesOf(InertiaKind kind) {
 
 void anchorAndEvaluate(benchmark::State& state, InertiaKind kind) {
   const std::vector<SpinningBody> bodies = bodiesOf(kind);
-  std::vector<Rotor<double>> rotors;
+  std::vector<FreeTop<double>> tops;
   std::vector<Vector3d> L_W;
   for (const SpinningBody& body : bodies) {
-    rotors.emplace_back(body.I);
+    tops.emplace_back(body.I);
     L_W.push_back(body.L_W());
   }
   std::size_t i = 0;
   for (auto _ : state) {
     i = (i + 1) % kBodies;
-    benchmark::DoNotOptimize(rotors[i].from(bodies[i].q_WP, bodies[i].L_P, L_W[i]).at(1.0));
+    benchmark::DoNotOptimize(tops[i].from(bodies[i].q_WP, bodies[i].L_P, L_W[i]).at(1.0));
   }
 }
 
 void evaluate(benchmark::State& state, InertiaKind kind) {
   std::vector<FreeRotation<double>> motions;
   for (const SpinningBody& body : bodiesOf(kind))
-    motions.push_back(Rotor<double>(body.I).from(body.q_WP, body.L_P, body.L_W()));
+    motions.push_back(FreeTop<double>(body.I).from(body.q_WP, body.L_P, body.L_W()));
   std::size_t i = 0;
   double t = 0;
   for (auto _ : state) {
@@ -56,7 +56,7 @@ void caseA(benchmark::State& state) {
   const Vector3d I(1, 2, 3);
   const Vector3d L_P = I.cwiseProduct(Vector3d(0.5, 2, 0.3));
   for (auto _ : state)
-    benchmark::DoNotOptimize(Rotor<double>(I).from(Quaterniond::Identity(), L_P, L_P).at(100.0));
+    benchmark::DoNotOptimize(FreeTop<double>(I).from(Quaterniond::Identity(), L_P, L_P).at(100.0));
 }
 
 BENCHMARK_CAPTURE(anchorAndEvaluate, spherical, InertiaKind::spherical);

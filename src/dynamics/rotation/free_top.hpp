@@ -37,10 +37,10 @@ class FreeRotation {
 /// AngularMomentum). The axis of precession is R(q_WP) L_P, so that the motion starts exactly at
 /// q_WP; where it differs from L_W it does so by rounding, and goes on differing by no more.
 template <class T>
-class Rotor {
+class FreeTop {
  public:
   /// Principal moments I [kg m²], ascending, all > 0.
-  explicit Rotor(const Vector3<T>& I);
+  explicit FreeTop(const Vector3<T>& I);
 
   InertiaKind kind() const { return kind_; }
 
@@ -54,7 +54,7 @@ class Rotor {
   ScaledInertia<T> inertia_;
 };
 
-extern template class Rotor<double>;
-extern template class Rotor<long double>;
+extern template class FreeTop<double>;
+extern template class FreeTop<long double>;
 
 }  // namespace rigid_body_sim

@@ -1,4 +1,4 @@
-#include "dynamics/rotation/rotor.hpp"
+#include "dynamics/rotation/free_top.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -56,11 +56,11 @@ AngularMomentum<T>::AngularMomentum(const Vector3<T>& L_P, const Vector3<T>& L_W
 }
 
 template <class T>
-Rotor<T>::Rotor(const Vector3<T>& I) : kind_(inertiaKind(I)), inertia_(I) {}
+FreeTop<T>::FreeTop(const Vector3<T>& I) : kind_(inertiaKind(I)), inertia_(I) {}
 
 template <class T>
-FreeRotation<T> Rotor<T>::from(const Quaternion<T>& q_WP, const Vector3<T>& L_P,
-                               const Vector3<T>& L_W) const {
+FreeRotation<T> FreeTop<T>::from(const Quaternion<T>& q_WP, const Vector3<T>& L_P,
+                                 const Vector3<T>& L_W) const {
   const AngularMomentum<T> L(L_P, L_W);
   if (kind_ == InertiaKind::spherical || onPrincipalAxis(L_P))
     return FreeRotation<T>(steadyRotation(inertia_, q_WP, L_P, L));
@@ -76,7 +76,7 @@ template struct ScaledInertia<double>;
 template struct ScaledInertia<long double>;
 template struct AngularMomentum<double>;
 template struct AngularMomentum<long double>;
-template class Rotor<double>;
-template class Rotor<long double>;
+template class FreeTop<double>;
+template class FreeTop<long double>;
 
 }  // namespace rigid_body_sim

@@ -4,7 +4,7 @@
 
 #include "support/free_rotation_errors.hpp"
 
-/// Accuracy of the rotor against a reference in more digits.
+/// Accuracy of the free top against a reference in more digits.
 namespace rigid_body_sim {
 namespace {
 
@@ -66,12 +66,12 @@ TEST(SphericalRotation, MatchesTheReference) {
 // A message that changes nothing but the force begins the rotation anew, time and again.
 TEST(FreeRotation, KeepsItsQuaternionUnit) {
   for (const Vector3d& I : {Vector3d(2, 2, 2), Vector3d(1, 2, 2), Vector3d(1, 1, 1.5)}) {
-    const Rotor<double> rotor(I);
+    const FreeTop<double> top(I);
     Quaterniond q_WP = Quaterniond(0.5, 0.5, -0.5, 0.5);
     Vector3d L_P(1, 2, 3);
     const Vector3d L_W = rotate(q_WP, L_P);
     for (int i = 0; i < 100000; ++i) {
-      const RotationState<double> next = rotor.from(q_WP, L_P, L_W).at(0.001);
+      const RotationState<double> next = top.from(q_WP, L_P, L_W).at(0.001);
       q_WP = next.q_WP;
       L_P = next.L_P;
     }
@@ -123,11 +123,11 @@ TEST(FreeRotation, FollowsACloseMissOfTheMiddleAxisTimeAndAgain) {
   }
 }
 
-/// The rotor's own answer, worked out in long double from the same state.
+/// The free top's own answer, worked out in long double from the same state.
 Quaterniond inLongDouble(const SpinningBody& body, double t) {
   using L = long double;
   const FreeRotation<L> motion =
-      Rotor<L>(body.I.cast<L>())
+      FreeTop<L>(body.I.cast<L>())
           .from(body.q_WP.cast<L>(), body.L_P.cast<L>(), body.L_W().cast<L>());
   return motion.at(t).q_WP.cast<double>();
 }
@@ -150,7 +150,7 @@ TEST(FreeRotation, HoldsAMillionRadiansPerSecond) {
       // 1e-11 is asked for, and one unit of rounding of L moves the attitude by as much. The
       // reference's energy walks by its own rounding: 5e-20/√3 · 50000^1.5 · 2 rad = 7e-13 rad.
       EXPECT_LE(angleToReference(motion.at(t).q_WP, reference.state()), 2e-12) << step;
-      // rotor against rotor in long double; measured: 1e-15
+      // free top against free top in long double; measured: 1e-15
       EXPECT_LE(angleBetween(motion.at(t).q_WP, inLongDouble(body, t)), 4e-15) << step;
     }
   }
@@ -176,7 +176,7 @@ TEST(FreeRotation, GainsTheDigitsOfLongDouble) {
     const Quaternion<L> expected(static_cast<L>(q[0]), static_cast<L>(q[1]), static_cast<L>(q[2]),
                                  static_cast<L>(q[3]));
     const Quaternion<L> q_WP =
-        Rotor<L>(body.I.cast<L>()).from(body.q_WP.cast<L>(), L_P, L_W).at(t).q_WP;
+        FreeTop<L>(body.I.cast<L>()).from(body.q_WP.cast<L>(), L_P, L_W).at(t).q_WP;
     worst = std::max(worst, angleBetween<L>(q_WP, expected));
   }
   // measured: 2e-18; the wider scalar of long double is itself

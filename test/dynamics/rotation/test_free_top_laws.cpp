@@ -18,7 +18,7 @@ const std::vector<BodyFamily> kMild = {BodyFamily::generic,        BodyFamily::n
 
 /// A state on the way taken as a new start; L_W is the constant that it is.
 FreeRotation<double> anchoredAt(const SpinningBody& body, const RotationState<double>& state) {
-  return Rotor<double>(body.I).from(state.q_WP, state.L_P, body.L_W());
+  return FreeTop<double>(body.I).from(state.q_WP, state.L_P, body.L_W());
 }
 
 TEST(FreeRotation, GoesOnFromAnyStateOnTheWay) {
@@ -146,7 +146,7 @@ TEST(FreeRotation, IsExactOnAPrincipalAxis) {
       const Vector3d L_P = component * Vector3d::Unit(axis);
       const Vector3d L_W = rotate(q_WP, L_P);
       for (const double t : {1e-9, 1.0, 1e4, -1e4}) {
-        const RotationState<double> state = Rotor<double>(I).from(q_WP, L_P, L_W).at(t);
+        const RotationState<double> state = FreeTop<double>(I).from(q_WP, L_P, L_W).at(t);
         EXPECT_EQ(state.L_P, L_P);
         using L = long double;
         const L angle = std::copysign(L_W.cast<L>().norm(), L_P(axis)) / L(I(axis)) * L(t);
@@ -163,15 +163,15 @@ TEST(FreeRotation, OfABodyAtRestIsNone) {
   for (const Vector3d& I : {Vector3d(1, 1, 1), Vector3d(1, 1, 2), Vector3d(1, 2, 3)}) {
     const Quaterniond q_WP = Quaterniond(0.1, -0.5, 0.3, 0.8).normalized();
     const RotationState<double> state =
-        Rotor<double>(I).from(q_WP, Vector3d::Zero(), Vector3d::Zero()).at(1e300);
+        FreeTop<double>(I).from(q_WP, Vector3d::Zero(), Vector3d::Zero()).at(1e300);
     EXPECT_EQ(state.q_WP.coeffs(), q_WP.coeffs());
     EXPECT_EQ(state.L_P, Vector3d::Zero());
   }
 }
 
-TEST(Rotor, TakesTheKindThatTheMomentsPermit) {
+TEST(FreeTop, TakesTheKindThatTheMomentsPermit) {
   const auto kind = [](double I1, double I2, double I3) {
-    return Rotor<double>(Vector3d(I1, I2, I3)).kind();
+    return FreeTop<double>(Vector3d(I1, I2, I3)).kind();
   };
   EXPECT_EQ(kind(2, 2, 2), InertiaKind::spherical);
   EXPECT_EQ(kind(1, 2, 2), InertiaKind::symmetric);
