@@ -4,12 +4,16 @@
 #include <rigid_body_sim/dynamics/body.hpp>
 #include <rigid_body_sim/mass/principal_axes.hpp>
 
+#include "dynamics/actuators/lag.hpp"
+
 namespace rigid_body_sim {
 
-Body makeBody(std::string name, const MassProperties& properties_B) {
-  const std::string fault = massPropertiesFault(properties_B);
+Body makeBody(std::string name, const MassProperties& properties_B,
+              std::vector<Actuator> actuators) {
+  std::string fault = massPropertiesFault(properties_B);
+  if (fault.empty()) fault = actuatorsFault(actuators, properties_B.I_Bcm);
   if (!fault.empty()) throw std::invalid_argument("body '" + name + "': " + fault);
-  const PrincipalAxes axes = principalAxes(properties_B.I_Bcm);
+  const PrincipalAxes axes = principalAxes(withoutWheels(actuators, properties_B.I_Bcm));
   Body body;
   body.name = std::move(name);
   body.mass = properties_B.mass;
@@ -20,6 +24,7 @@ Body makeBody(std::string name, const MassProperties& properties_B) {
   body.X_BP.translation() = properties_B.com_B;
   body.q_BP = Quaterniond(axes.R_BP).normalized();
   body.split = rotationSplit(body.inv_I);
+  body.actuators = std::move(actuators);
   return body;
 }
 

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include <rigid_body_sim/dynamics/actuator.hpp>
 #include <rigid_body_sim/dynamics/rotation_split.hpp>
 #include <rigid_body_sim/mass/mass_properties.hpp>
 
 namespace rigid_body_sim {
 
 /// What never changes about a rigid body, in the principal frame P: origin at the centre of mass,
-/// axes the principal axes.
+/// axes the principal axes. Of a body with wheels, moments and axes are those of I − Σ J a aᵀ: the
+/// inertia without what the wheels have about their own axes.
 struct Body {
   std::string name;
   double mass = 0;                ///< [kg] > 0
@@ -18,10 +21,12 @@ struct Body {
   Quaterniond q_BP;               ///< the rotation of X_BP
   RotationSplit<double> split{};  ///< of its free rotation
   bool fixed = false;             ///< never moves; its mass is then ignored
+  std::vector<Actuator> actuators{};
 };
 
-/// The body of the given mass properties. Throws std::invalid_argument for those that have a fault
-/// (massPropertiesFault).
-Body makeBody(std::string name, const MassProperties& properties_B);
+/// The body of the given mass properties, which include rotors and wheels as if they stood still in
+/// it. Throws std::invalid_argument for what has a fault (massPropertiesFault, actuatorsFault).
+Body makeBody(std::string name, const MassProperties& properties_B,
+              std::vector<Actuator> actuators = {});
 
 }  // namespace rigid_body_sim

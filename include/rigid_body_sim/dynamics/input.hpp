@@ -31,11 +31,16 @@ struct StateInput {
   BodyFrameMotion motion;
 };
 
-/// Back to the initial states, every wrench cleared.
+/// An actuator is commanded; what was commanded for later stays.
+struct CommandInput {
+  ActuatorCommand command;
+};
+
+/// Back to the initial states, every wrench and command cleared.
 struct ResetInput {
   bool restart_time = false;  ///< also time and the schedule of the scene; else time runs on
 };
 
-using SimulationInput = std::variant<WrenchInput, ClearInput, StateInput, ResetInput>;
+using SimulationInput = std::variant<WrenchInput, ClearInput, StateInput, ResetInput, CommandInput>;
 
 }  // namespace rigid_body_sim

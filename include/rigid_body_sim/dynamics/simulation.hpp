@@ -35,6 +35,9 @@ class Simulation {
   /// Wrenches that may act or be to come, of all bodies together.
   static constexpr std::size_t kMaxWrenches = 100000;
 
+  /// Commands that may be to come, of all bodies together.
+  static constexpr std::size_t kMaxCommands = 100000;
+
   /// From a state of the world on: of the start, or as state() gave it, of any step; then the same
   /// bits follow as in the run that it is from, as long as no input came but the world's own
   /// wrenches. Throws std::invalid_argument for a world or a state that break a rule: an integrator
@@ -69,12 +72,15 @@ class Simulation {
   /// integrator does not support or one more than may be.
   void apply(const SimulationInput& input);
 
-  /// The same by their parts; see WrenchInput, ClearInput, StateInput, ResetInput. Bodies on which
-  /// nothing changes keep their bits.
+  /// The same by their parts; see WrenchInput, ClearInput, StateInput, ResetInput, CommandInput.
+  /// Bodies on which nothing changes keep their bits. A state that is set leaves the speeds of
+  /// wheels and rotors relative to the body as they are, and L_W follows from them. A command that
+  /// would have started before starts now.
   void applyWrench(const std::string& slot, const PointWrench& wrench);
   void clearWrenches(std::size_t body = ClearInput::kEveryBody, const std::string& slot = "");
   void setState(std::size_t body, const BodyState& state);
   void reset(bool restart_time);
+  void command(const ActuatorCommand& command);
 
   /// Whether the wrench would take the place of another, at once, so that there is not one more.
   bool replaces(const std::string& slot, const PointWrench& wrench) const;
@@ -92,7 +98,15 @@ class Simulation {
   /// Touches and releases within the last step, in order; of the start, before the first step.
   const std::vector<ContactEvent>& contactEvents() const;
 
-  /// Sum of the wrenches applied to a body now, without gravity and laws.
+  /// What the actuators of a body do now, in the order of Body::actuators; at another time, by
+  /// readActuators of a sample.
+  std::vector<ActuatorReading> actuators(std::size_t body) const;
+
+  /// Commands so far that were beyond the limits of their actuator.
+  std::int64_t saturations() const;
+
+  /// Sum of the wrenches applied to a body now, without gravity, laws and
+  /// actuators.
   Wrench appliedWrench(std::size_t body) const;
 
   /// How the bodies are advanced, group by group.

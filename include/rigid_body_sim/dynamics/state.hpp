@@ -16,6 +16,9 @@ namespace rigid_body_sim {
 /// The angular momentum is carried twice, in world and in principal axes, because each keeps what
 /// the other loses: L_W is constant to the last bit without torque; L_P gives the angular velocity
 /// of a needle, whose small component would drown in the rounding of R(q_WP)ᵀ L_W.
+///
+/// Of a body with wheels and rotors, L_W includes their angular momentum H and L_P does not:
+///   L_W = R(q_WP) (L_P + H),   L_P = I ω
 template <class T>
 struct BodyStateT {
   Vector3<T> x_W = Vector3<T>::Zero();  ///< [m] centre of mass
@@ -24,7 +27,7 @@ struct BodyStateT {
   Quaternion<T> q_WP = Quaternion<T>::Identity();  ///< attitude of the principal axes, unit
   Vector3<T> p_W = Vector3<T>::Zero();             ///< [kg m/s] momentum
   Vector3<T> L_W = Vector3<T>::Zero();  ///< [kg m²/s] angular momentum about the centre of mass
-  Vector3<T> L_P = Vector3<T>::Zero();  ///< [kg m²/s] the same in principal axes
+  Vector3<T> L_P = Vector3<T>::Zero();  ///< [kg m²/s] I ω, the same in principal axes
 };
 using BodyState = BodyStateT<double>;
 
@@ -58,6 +61,9 @@ struct State {
   /// Of the laws that have states of their own, law by law in the order of World::laws; empty: as
   /// they start.
   std::vector<double> laws{};
+  /// Of the actuators, body by body in the order of Body::actuators; empty: as they start, and L_W
+  /// then gains what wheels and rotors have.
+  std::vector<std::vector<ActuatorState>> actuators{};
   /// What the same bits need beside: the anchors, one a body, and the plans. Empty in a state that
   /// a program makes: then motions are anchored at it, and auto chooses anew.
   std::vector<MotionAnchor> anchors{};
@@ -80,10 +86,14 @@ Vector3<T> angularVelocity(const Vector3<T>& inv_I, const Vector3<T>& L_P) {
 
 /// State of the centre of mass from the motion of the body frame:
 ///   x = x_B + R com,  v = v_B + ω × R com,  p = m v,  L = I ω.
+/// L_W lacks what wheels and rotors have; a simulation that takes the state over adds it.
 BodyState toBodyState(const Body& body, const BodyFrameMotion& motion);
 
 /// The inverse of toBodyState; velocities v_B = v − ω × R com.
 BodyFrameMotion toBodyFrameMotion(const Body& body, const BodyState& state);
+
+/// What the actuators of a body do at the time of the state, which must have State::actuators.
+std::vector<ActuatorReading> readActuators(const Body& body, const State& state, std::size_t index);
 
 /// [m] From one state of a body to another, the low parts of the positions included.
 double distanceBetween(const BodyState& a, const BodyState& b);

@@ -21,9 +21,10 @@ struct SolverOptions {
 /// Everything that a simulation holds constant: what the scene named and nothing else.
 struct World {
   std::vector<Body> bodies;
-  Vector3d g_W = Vector3d::Zero();    ///< [m/s²] uniform gravity
-  std::vector<PointWrench> wrenches;  ///< scheduled by the scene; times from the start
-  ForceLaws laws;                     ///< between bodies, points and the world
+  Vector3d g_W = Vector3d::Zero();        ///< [m/s²] uniform gravity
+  std::vector<PointWrench> wrenches;      ///< scheduled by the scene; times from the start
+  std::vector<ActuatorCommand> commands;  ///< likewise
+  ForceLaws laws;                         ///< between bodies, points and the world
   SolverOptions solver;
 };
 

@@ -1,5 +1,6 @@
 #include "ros/inputs/input_messages.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "ros/inputs/state_requests.hpp"
@@ -60,6 +61,19 @@ Input messageOf(const ResetInput& input, const World&, const std::string&) {
   return message;
 }
 
+Input messageOf(const CommandInput& input, const World& world, const std::string&) {
+  const ActuatorCommand& command = input.command;
+  const Body& body = world.bodies[command.body];
+  Input message;
+  message.kind = Input::COMMAND;
+  message.body = body.name;
+  message.actuator = body.actuators[command.actuator].name;
+  message.value = command.value;
+  message.start = command.start;
+  message.end = command.end;
+  return message;
+}
+
 WrenchInput wrenchOf(const Input& message, const World& world) {
   PointWrench wrench;
   wrench.body = bodyNamed(message.body, world.bodies);
@@ -89,6 +103,23 @@ StateInput stateOf(const Input& message, const World& world, const std::string& 
   return takeState(request, world, world_frame);
 }
 
+CommandInput commandOf(const Input& message, const World& world) {
+  ActuatorCommand command;
+  command.body = bodyNamed(message.body, world.bodies);
+  const std::vector<Actuator>& actuators = world.bodies[command.body].actuators;
+  const auto named =
+      std::find_if(actuators.begin(), actuators.end(),
+                   [&](const Actuator& actuator) { return actuator.name == message.actuator; });
+  if (named == actuators.end())
+    throw std::invalid_argument("body '" + message.body + "' has no actuator '" + message.actuator +
+                                "'");
+  command.actuator = static_cast<std::size_t>(named - actuators.begin());
+  command.value = message.value;
+  command.start = message.start;
+  command.end = message.end;
+  return {command};
+}
+
 }  // namespace
 
 Input toMessage(const SimulationInput& input, const World& world, const std::string& world_frame) {
@@ -107,6 +138,8 @@ SimulationInput toInput(const Input& message, const World& world, const std::str
       return ResetInput{false};
     case Input::RESTART:
       return ResetInput{true};
+    case Input::COMMAND:
+      return commandOf(message, world);
     default:
       throw std::invalid_argument("unknown kind of input " + std::to_string(message.kind));
   }
