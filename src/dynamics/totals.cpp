@@ -2,6 +2,8 @@
 
 #include <rigid_body_sim/dynamics/totals.hpp>
 
+#include "dynamics/actuators/actuator_start.hpp"
+
 namespace rigid_body_sim {
 
 Totals Totals::unknown() {
@@ -10,6 +12,8 @@ Totals Totals::unknown() {
 }
 
 Totals totalsOf(const World& world, const State& state) {
+  if (state.actuators.empty() && hasActuators(world))
+    return totalsOf(world, withActuators(world, state));
   Totals sum;
   sum.energy = mechanicalEnergy(world, state);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {

@@ -1,6 +1,26 @@
 #include <rigid_body_sim/dynamics/world.hpp>
 
+#include "dynamics/actuators/actuator_start.hpp"
+#include "dynamics/actuators/actuator_table.hpp"
+
 namespace rigid_body_sim {
+
+namespace {
+
+/// What wheels and rotors have beyond ½ ω·I ω [J].
+double spinEnergy(const World& world, const State& given) {
+  const State state = withActuators(world, given);
+  double energy = 0;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    if (!body.actuators.empty())
+      energy += energyOf(actuatorTable(body), state.actuators[i], state.t,
+                         angularVelocity(body.inv_I, state.bodies[i].L_P));
+  }
+  return energy;
+}
+
+}  // namespace
 
 double mechanicalEnergy(const World& world, const State& state) {
   std::vector<const Body*> bodies;
@@ -24,7 +44,7 @@ double mechanicalEnergy(const World& world, const State& state) {
     if (law->acts(at.own)) energy += law->potentialEnergy(at);
     first += law->stateCount();
   }
-  return energy;
+  return hasActuators(world) ? energy + spinEnergy(world, state) : energy;
 }
 
 }  // namespace rigid_body_sim

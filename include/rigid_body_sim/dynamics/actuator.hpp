@@ -19,7 +19,7 @@ namespace rigid_body_sim {
 struct Thruster {
   Vector3d position_B = Vector3d::Zero();    ///< [m] where the force acts
   Vector3d direction_B = Vector3d::UnitZ();  ///< unit
-  double time_constant = 0;                  ///< [s] T >= 0
+  double time_constant = 0;                  ///< [s] T: 0, or 1e-9 to 1e9
 };
 
 /// A propeller that turns at the speed Ω relative to the body. With s = turns and d = direction:
@@ -34,7 +34,7 @@ struct Rotor {
   double thrust = 0;                         ///< [N s²]
   double drag_torque = 0;                    ///< [N m s²]
   double inertia = 0;        ///< [kg m²] J >= 0 about d; above zero only with T > 0
-  double time_constant = 0;  ///< [s] T >= 0
+  double time_constant = 0;  ///< [s] T: 0, or 1e-9 to 1e9
   double speed = 0;          ///< [rad/s] Ω at the start
 };
 
@@ -93,10 +93,10 @@ ActuatorReading readActuator(const Actuator& actuator, const ActuatorState& stat
                              const Vector3d& w_B);
 
 /// Says which rule the actuators of a body break, naming the actuator; empty when none: numbers
-/// finite, directions of unit length, least <= greatest, time constants >= 0, inertia of wheels > 0
-/// and of rotors >= 0, a rotor with inertia has a time constant, names unique and not empty.
-/// I_Bcm [kg m²]: of the body with all wheels and rotors, as if they stood still in it. Without
-/// what the wheels have about their axes, I − Σ J a aᵀ, it must be positive definite.
+/// finite, directions of unit length, least <= greatest, time constants within their range, inertia
+/// of wheels > 0 and of rotors >= 0, a rotor with inertia has a time constant, names unique and not
+/// empty. I_Bcm [kg m²]: of the body with all wheels and rotors, as if they stood still in it.
+/// Without what the wheels have about their axes, I − Σ J a aᵀ, it must be positive definite.
 std::string actuatorsFault(const std::vector<Actuator>& actuators, const Matrix3d& I_Bcm);
 
 }  // namespace rigid_body_sim

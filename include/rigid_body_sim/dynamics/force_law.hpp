@@ -21,7 +21,9 @@ enum Need : unsigned {
   kDrag = 2,       ///< drag, which has a flow of its own (ForceLaw::kick)
   kDamping = 4,    ///< other wrenches that depend on velocities
   kLawStates = 8,  ///< states of a law that change with time (ForceLaw::setRates)
-  kContact = 16    ///< many events, between which forces rise from zero by a power of time
+  kContact = 16,   ///< many events, between which forces rise from zero by a power of time
+  kThrust = 32,    ///< forces and torques of motors, which follow their commands with a lag
+  kSpin = 64       ///< angular momentum of wheels and rotors
 };
 
 /// What is known of the motion of a body that no law disturbs, up to a time.

@@ -28,7 +28,8 @@ struct World {
   SolverOptions solver;
 };
 
-/// Kinetic energy of the bodies that move, and potential energy of gravity and of the laws [J].
+/// Kinetic energy of the bodies that move, with their wheels and rotors, and potential energy of
+/// gravity and of the laws [J].
 double mechanicalEnergy(const World& world, const State& state);
 
 }  // namespace rigid_body_sim

@@ -38,23 +38,28 @@ ActuatorReading reading(const Wheel& wheel, const ActuatorState& state, double t
 
 bool isDirection(const Vector3d& v) { return v.allFinite() && std::abs(v.norm() - 1) < 1e-9; }
 
-bool isTime(double x) { return x >= 0 && std::isfinite(x); }
+bool isNotNegative(double x) { return x >= 0 && std::isfinite(x); }
+
+/// Beyond, exponentials overflow or die away within a rounding of the time.
+bool isTimeConstant(double T) { return T == 0 || (T >= 1e-9 && T <= 1e9); }
+
+constexpr const char* kTimeConstantRule = "time_constant must be 0 or from 1e-9 to 1e9 s";
 
 std::string faultOf(const Thruster& thruster) {
   if (!thruster.position_B.allFinite()) return "position must be finite";
   if (!isDirection(thruster.direction_B)) return "direction must be of unit length";
-  if (!isTime(thruster.time_constant)) return "time_constant must be >= 0 s and finite";
+  if (!isTimeConstant(thruster.time_constant)) return kTimeConstantRule;
   return "";
 }
 
 std::string faultOf(const Rotor& rotor) {
   if (!rotor.position_B.allFinite()) return "position must be finite";
   if (!isDirection(rotor.direction_B)) return "direction must be of unit length";
-  if (!isTime(rotor.time_constant)) return "time_constant must be >= 0 s and finite";
+  if (!isTimeConstant(rotor.time_constant)) return kTimeConstantRule;
   if (rotor.turns != 1 && rotor.turns != -1) return "turns must be 1 or -1";
   if (!std::isfinite(rotor.thrust) || !std::isfinite(rotor.drag_torque))
     return "thrust and drag_torque must be finite";
-  if (!isTime(rotor.inertia)) return "inertia must be >= 0 kg m^2 and finite";
+  if (!isNotNegative(rotor.inertia)) return "inertia must be >= 0 kg m^2 and finite";
   if (rotor.inertia > 0 && !(rotor.time_constant > 0))
     return "with inertia, time_constant must be > 0 s: else the body's angular velocity would jump";
   if (!std::isfinite(rotor.speed)) return "speed must be finite";

@@ -14,17 +14,18 @@ const std::vector<Method>& catalogue() {
   // bounds
   constexpr unsigned kUndamped = kCoupling | kDrag | kLawStates;
   constexpr unsigned kAll = kUndamped | kDamping;
+  constexpr unsigned kMotors = kThrust | kSpin;
   // clang-format off
   static const std::vector<Method> rows{
       // name               order free eval turn  cost  claims           accepts  step
-      {"semi_implicit_euler", 1, 1,  1, 0.8,  0.9, kKeepsFreeL,          kAll,    semiImplicitEulerStep},
-      {"strang",              2, 2,  1, 0.8,  1,   kGeometric, kUndamped, strangStep},
-      {"magnus4",             2, 4,  1, 0.4,  1,   kKeepsFreeL, kUndamped, magnus4Step},
-      {"rk4",                 4, 4,  4, 0.4,  1.6, 0,                    kAll,      rk4Step},
+      {"semi_implicit_euler", 1, 1,  1, 0.8,  0.9, kKeepsFreeL,          kAll | kThrust,    semiImplicitEulerStep},
+      {"strang",              2, 2,  1, 0.8,  1,   kGeometric, kUndamped | kThrust, strangStep},
+      {"magnus4",             2, 4,  1, 0.4,  1,   kKeepsFreeL, kUndamped | kThrust, magnus4Step},
+      {"rk4",                 4, 4,  4, 0.4,  1.6, 0,                    kAll | kMotors,      rk4Step},
       {"blanes_moan6",        6, 0, 14, 1.6, 56,   kGeometric,           kCoupling, blanesMoan6Step},
       {"kahan_li8",           8, 8, 17, 0.8, 15,   kGeometric,           kCoupling, kahanLi8Step},
-      {"dop853",              8, 8, 12, 1.6,  7.7, kEstimatesError,           kAll | kContact,  dop853Step},
-      {"taylor",             16, 16, 1, kAnyTurn, 2.1, kSolves | kKeepsFreeL, 0,    taylorStep},
+      {"dop853",              8, 8, 12, 1.6,  7.7, kEstimatesError,           kAll | kMotors | kContact,  dop853Step},
+      {"taylor",             16, 16, 1, kAnyTurn, 2.1, kSolves | kKeepsFreeL, kMotors,    taylorStep},
   };
   // clang-format on
   return rows;
@@ -45,6 +46,8 @@ void requireSupport(const Method& method, unsigned needs, const std::string& bod
   if (refused & kDamping) what = "damping";
   if (refused & kLawStates) what = "laws with states of their own";
   if (refused & kContact) what = "contact";
+  if (refused & kThrust) what = "motors";
+  if (refused & kSpin) what = "wheels and rotors with inertia";
   throw std::invalid_argument("integrator must be auto or support " + what + ", as body '" + body +
                               "' needs (" + methodsThatSupport(needs) + "), got '" + method.name +
                               "'");

@@ -108,7 +108,7 @@ void evaluateStages(const System& system, double h, const SystemState& states,
   }
 }
 
-void endStep(double h, const Workspace& workspace, SystemState& states) {
+void endStep(const System& system, double h, const Workspace& workspace, SystemState& states) {
   const std::size_t n = states.bodies.size(), laws = workspace.law_dots.size() / kStages;
   for (std::size_t i = 0; i < n; ++i) {
     BodyStateDot sum;
@@ -116,7 +116,9 @@ void endStep(double h, const Workspace& workspace, SystemState& states) {
       accumulate(workspace.dots[s * n + i], dop853::kB[s], sum);
     states.bodies[i] = stepEnd(states.bodies[i], sum, h);
   }
-  if (laws > 0) advanceLaws(h, dop853::kB, kStages, workspace, states.laws, states.laws);
+  if (laws == 0) return;
+  advanceLaws(h, dop853::kB, kStages, workspace, states.laws, states.laws);
+  addSpin(system, states);
 }
 
 }  // namespace
@@ -136,7 +138,7 @@ void dop853Step(const System& system, double h, SystemState& states, Workspace& 
     workspace.error = std::numeric_limits<double>::infinity();
     return;
   }
-  endStep(h, workspace, states);
+  endStep(system, h, workspace, states);
 }
 
 }  // namespace rigid_body_sim

@@ -34,7 +34,10 @@ void rk4Step(const System& system, double h, SystemState& states, Workspace& wor
     for (std::size_t k = 0; k < law_sum.size(); ++k) law_sum[k] += kWeight[stage] * law_dots[k];
   }
   for (std::size_t i = 0; i < n; ++i) states.bodies[i] = stepEnd(states.bodies[i], dots[n + i], h);
-  for (std::size_t k = 0; k < law_sum.size(); ++k) states.laws[k] += h * law_sum[k];
+  if (!law_sum.empty()) {
+    for (std::size_t k = 0; k < law_sum.size(); ++k) states.laws[k] += h * law_sum[k];
+    addSpin(system, states);
+  }
   workspace.wrenches_current = false;
 }
 

@@ -1,5 +1,7 @@
 #include "dynamics/methods/system.hpp"
 
+#include "dynamics/actuators/actuator_law.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -76,6 +78,15 @@ void evaluateLawRates(const System& system, const SystemState& states, std::vect
   for (const System::StatefulLaw& stateful : system.stateful_laws)
     stateful.law->setRates({system.bodies, states.bodies, states.laws.data() + stateful.first},
                            rates.data() + stateful.first);
+}
+
+void addSpin(const System& system, SystemState& states) {
+  for (const System::Driven& driven : system.driven) {
+    const ActuatorDrive& drive = driven.law->drive();
+    if (!drive.spins()) continue;
+    BodyState& state = states.bodies[driven.body];
+    state.L_W += rotate(state.q_WP, drive.at(states.laws[driven.state]).H_P);
+  }
 }
 
 double externalPower(const System& system, const SystemState& states) {

@@ -11,6 +11,8 @@
 
 namespace rigid_body_sim {
 
+class ActuatorLaw;
+
 /// Bodies that act on one another, with all that acts on them between two events. What is absent
 /// from the scene is absent here. Indices of bodies are those of this system.
 struct System {
@@ -18,6 +20,13 @@ struct System {
   struct StatefulLaw {
     std::shared_ptr<const ForceLaw> law;
     std::size_t first;
+  };
+
+  /// A body with actuators: their law, which is one of stateful_laws, and its state.
+  struct Driven {
+    const ActuatorLaw* law;
+    std::size_t body;
+    std::size_t state;  ///< the time since the law's drive started, in SystemState::laws
   };
 
   std::vector<const Body*> bodies;
@@ -28,6 +37,7 @@ struct System {
   ForceLaws flows;                       ///< laws with a flow
   std::vector<const ForceLaw*> flow_of;  ///< that on each body or null; empty where there is none
   std::vector<StatefulLaw> stateful_laws;
+  std::vector<Driven> driven;
   bool torque_free = false;        ///< whether nothing that acts exerts a torque
   bool law_states_change = false;  ///< with time, not only from mode to mode
   bool has_events = false;         ///< whether any law has guards
@@ -87,6 +97,9 @@ void evaluateAllWithRates(const System& system, const SystemState& states, Works
 
 /// Rates of the laws' own states.
 void evaluateLawRates(const System& system, const SystemState& states, std::vector<double>& rates);
+
+/// Adds to L_W, where it is R L_P, what wheels and rotors have.
+void addSpin(const System& system, SystemState& states);
 
 /// Sum of the external powers of all laws [W].
 double externalPower(const System& system, const SystemState& states);

@@ -44,6 +44,34 @@ void checkLaw(const World& world, const ForceLaw& law, std::set<std::size_t>& wi
           name + "body '" + world.bodies[members.front()].name + "' has one already");
 }
 
+void checkActuators(const Body& body) {
+  if (body.actuators.empty()) return;
+  const std::string who = "body '" + body.name + "': ";
+  require(!body.fixed, who + "it is fixed, motors cannot move it");
+  const Matrix3d R_BP = body.X_BP.linear();
+  Matrix3d I_B = R_BP * body.I.asDiagonal() * R_BP.transpose();
+  for (const Actuator& actuator : body.actuators)
+    if (const auto* wheel = std::get_if<Wheel>(&actuator.kind))
+      I_B += wheel->inertia * wheel->axis_B * wheel->axis_B.transpose();
+  const std::string fault = actuatorsFault(body.actuators, I_B);
+  require(fault.empty(), who + fault);
+}
+
+void checkActuatorStates(const World& world, const State& state) {
+  if (state.actuators.empty()) return;
+  require(state.actuators.size() == world.bodies.size(),
+          "a state must have actuators for each body, or for none");
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const std::string body = "body '" + world.bodies[i].name + "': ";
+    require(state.actuators[i].size() == world.bodies[i].actuators.size(),
+            body + "a state must have as many actuators as its world");
+    for (const ActuatorState& actuator : state.actuators[i])
+      require(std::isfinite(actuator.command) && std::isfinite(actuator.value) &&
+                  actuator.since <= state.t && !std::isnan(actuator.until),
+              body + "states of actuators must be finite and not of the future");
+  }
+}
+
 void checkAttitude(const std::string& body, const Quaterniond& q) {
   const double norm = q.norm();
   require(std::abs(norm - 1) < 1e-6, body + "attitude must be a unit quaternion: norm 1", norm);
@@ -71,6 +99,8 @@ void checkWorld(const World& world) {
   std::set<std::size_t> with_flow;
   for (const auto& law : world.laws) checkLaw(world, *law, with_flow);
   for (const PointWrench& wrench : world.wrenches) checkWrench(world, wrench);
+  for (const Body& body : world.bodies) checkActuators(body);
+  for (const ActuatorCommand& command : world.commands) checkCommand(world, command);
 }
 
 void checkState(const World& world, const State& state) {
@@ -84,6 +114,7 @@ void checkState(const World& world, const State& state) {
               ", got " + std::to_string(state.laws.size()));
   for (double own : state.laws)
     require(std::isfinite(own), "states of laws must be finite numbers", own);
+  checkActuatorStates(world, state);
   require(state.anchors.empty() || state.anchors.size() == world.bodies.size(),
           "a state must have an anchor for each body, or none");
   const double h = world.solver.time_step, steps = state.t / h;
@@ -100,6 +131,19 @@ void checkBodyState(const World& world, std::size_t index, const BodyState& s) {
   require(s.p_W.allFinite() && s.L_W.allFinite() && s.L_P.allFinite(),
           body + "momenta must be finite");
   checkAttitude(body, s.q_WP);
+}
+
+void checkCommand(const World& world, const ActuatorCommand& command) {
+  checkBody(world, command.body);
+  const Body& body = world.bodies[command.body];
+  require(
+      command.actuator < body.actuators.size(),
+      "body '" + body.name + "': no actuator has the index " + std::to_string(command.actuator));
+  const std::string who =
+      "command to '" + body.actuators[command.actuator].name + "' of body '" + body.name + "': ";
+  require(std::isfinite(command.value), who + "value must be finite", command.value);
+  require(std::isfinite(command.start), who + "start must be finite", command.start);
+  require(command.end > command.start, who + "end must be later than its start", command.end);
 }
 
 void checkWrench(const World& world, const PointWrench& wrench) {

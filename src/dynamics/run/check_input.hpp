@@ -17,6 +17,7 @@ void checkIndex(const World& world, std::size_t body);
 void checkBody(const World& world, std::size_t body);
 
 void checkBodyState(const World& world, std::size_t body, const BodyState& state);
+void checkCommand(const World& world, const ActuatorCommand& command);
 void checkWrench(const World& world, const PointWrench& wrench);
 
 }  // namespace rigid_body_sim

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "dynamics/actuators/actuator_law.hpp"
 #include "dynamics/methods/catalogue.hpp"
 
 namespace rigid_body_sim {
@@ -205,8 +206,11 @@ unsigned needsOf(const World& world, const CoupledBodies& group,
   for (std::size_t law : group.laws) needs |= world.laws[law]->needs();
   for (std::size_t body : group.members)
     if (!schedules[body].allHeld()) needs |= kCoupling;
-  if (needs != 0)
-    for (std::size_t law : group.waiting) needs |= world.laws[law]->needs();
+  if (needs == 0) return needs;
+  for (std::size_t law : group.waiting) needs |= world.laws[law]->needs();
+  for (std::size_t body : group.members)
+    if (const ActuatorSchedule* actuators = schedules[body].actuators())
+      needs |= needsOf(actuators->table());
   return needs;
 }
 
@@ -217,6 +221,8 @@ void requireSupport(const World& world) {
       requireSupport(method, kCoupling, world.bodies[wrench.body].name);
   for (const auto& law : world.laws)
     requireSupport(method, law->needs(), world.bodies[law->members().front()].name);
+  for (const Body& body : world.bodies)
+    if (!body.actuators.empty()) requireSupport(method, needsOf(actuatorTable(body)), body.name);
 }
 
 }  // namespace rigid_body_sim

@@ -69,8 +69,8 @@ std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& law
                                          const std::vector<std::size_t>& bodies,
                                          const std::set<std::size_t>& near = {});
 
-/// What an integrator must support to advance the group (Need); that of contacts that do not act
-/// counts where it has to be integrated anyway.
+/// What an integrator must support to advance the group (Need); that of contacts that do not act,
+/// and of actuators, counts where it has to be integrated anyway.
 unsigned needsOf(const World& world, const CoupledBodies& group,
                  const std::vector<WrenchSchedule>& schedules);
 

@@ -40,10 +40,12 @@ std::vector<std::vector<std::string>> lawNames(const World& world) {
 }
 
 /// "gravity, spring, drag", or "free".
-std::string whatActs(const World& world, const std::vector<std::string>& laws, bool has_wrenches) {
+std::string whatActs(const World& world, const Body& body, const std::vector<std::string>& laws,
+                     bool has_wrenches) {
   std::vector<std::string> acting;
   if (!world.g_W.isZero(0)) acting.push_back("gravity");
   acting.insert(acting.end(), laws.begin(), laws.end());
+  if (!body.actuators.empty()) acting.push_back("motors");
   if (has_wrenches) acting.push_back("wrenches");
   if (acting.empty()) return "free";
   std::string text = acting.front();
@@ -111,8 +113,10 @@ std::vector<std::string> describeSolution(const Simulation& simulation) {
   for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = world.bodies[i].name + ": fixed";
   for (const MotionPlan& plan : simulation.plans()) {
     for (std::size_t i : plan.bodies)
-      lines[i] = world.bodies[i].name + ": " + whatActs(world, laws[i], !wrenches[i].empty()) +
-                 ", " + howSolved(world, world.bodies[i], plan, leaveFree(wrenches[i]));
+      lines[i] = world.bodies[i].name + ": " +
+                 whatActs(world, world.bodies[i], laws[i], !wrenches[i].empty()) + ", " +
+                 howSolved(world, world.bodies[i], plan,
+                           leaveFree(wrenches[i]) && world.bodies[i].actuators.empty());
     if (!plan.holds) lines.push_back(shortfall(world, plan));
   }
   return lines;

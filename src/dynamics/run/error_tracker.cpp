@@ -36,6 +36,10 @@ void ErrorTracker::put(const std::string& slot, const PointWrench& wrench) {
   if (coarse_) coarse_->put(slot, wrench);
 }
 
+void ErrorTracker::command(const ActuatorCommand& command) {
+  if (coarse_) coarse_->command(command);
+}
+
 void ErrorTracker::follow(const Run& run) {
   if (run.steps() % 2 != 0 || std::isinf(estimate_.attitude)) return;
   if (!coarse_) return start(run);

@@ -19,6 +19,9 @@ class ErrorTracker {
   /// A wrench that the run has taken over, from its present on.
   void put(const std::string& slot, const PointWrench& wrench);
 
+  /// A command, likewise.
+  void command(const ActuatorCommand& command);
+
   /// The run has changed otherwise: the other one starts from it at its next step of even count.
   void restart() { coarse_.reset(); }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "dynamics/actuators/actuator_law.hpp"
 #include "dynamics/step_too_long.hpp"
 #include "math/gauss_legendre.hpp"
 
@@ -48,6 +49,7 @@ void ExchangeMeter::add(double weight, const System& system) {
   sum_.energy += weight * power;
 
   evaluateAllWrenches(system, states_, workspace_);
+  for (const System::Driven& driven : system.driven) addMotors(weight, driven, system);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyState& s = bodies[i];
     const Wrench& all = workspace_.wrenches[i];
@@ -70,6 +72,16 @@ void ExchangeMeter::addChange(const System& system, const SystemState& before,
     sum_.angular_momentum += (b.L_W + b_W.cross(b.p_W)) - (a.L_W + a_W.cross(a.p_W));
   }
   sum_.energy += potentialOfLaws(system, after) - potentialOfLaws(system, before);
+}
+
+/// What the law of motors leaves out; its reactions change no angular momentum.
+void ExchangeMeter::addMotors(double weight, const System::Driven& driven, const System& system) {
+  const ForceLaw::Bodies at{system.bodies, states_.bodies, &states_.laws[driven.state]};
+  const Body& body = *system.bodies[driven.body];
+  Wrench& wrench = workspace_.wrenches[driven.body];
+  const Vector3d L_dot_P = stateDot(body, states_.bodies[driven.body], wrench).L_dot_P;
+  sum_.energy += weight * driven.law->couplingPower(at, angularVelocity(body.inv_I, L_dot_P));
+  wrench.tau_P -= driven.law->reactionOn(at);
 }
 
 Totals ExchangeMeter::take() { return std::exchange(sum_, Totals()); }

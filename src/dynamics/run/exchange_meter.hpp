@@ -13,6 +13,8 @@ namespace rigid_body_sim {
 ///   impulse: ∫ Σ f dt of all forces, gravity and laws included
 ///   angular impulse: ∫ Σ (x × f + τ) dt likewise, about the world's origin
 ///
+/// Of motors, work is what they put into the body, their wheels and rotors, and the air.
+///
 /// Each by a Gauss–Legendre rule over each piece of the motion; where the integrator does the
 /// piece, the rule is of a higher order, so that what is left of a balance is the integrator's
 /// error. A decay that a step does not resolve is not resolved by the rule either.
@@ -32,6 +34,7 @@ class ExchangeMeter {
 
  private:
   void add(double weight, const System& system);
+  void addMotors(double weight, const System::Driven& driven, const System& system);
 
   Totals sum_;
   SystemState states_;  // at a node

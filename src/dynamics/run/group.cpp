@@ -29,6 +29,7 @@ Group::Group(const World& world, const LawTable& laws, const CoupledBodies& bodi
   for (std::size_t body : bodies_.members) system_.bodies.push_back(&world.bodies[body]);
   addLaws(world, bodies.laws, laws, law_states);
   if (choice.method && !bodies.waiting.empty()) addLaws(world, bodies.waiting, laws, law_states);
+  addActuators(schedules);
   if (system_.has_contact) system_.event_precision = eventPrecision(system_);
   if (choice.method) stepper_.emplace(choice, tolerance, system_);
   gatherWrenches(schedules);
@@ -134,6 +135,7 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
   }
   system_.held.clear();
   for (const HeldWrenchSum& sum : sums) system_.held.push_back(sum.sum());
+  if (!system_.driven.empty()) gatherActuators(schedules);
   const bool no_laws =
       system_.laws.empty() && system_.flows.empty() && system_.stateful_laws.empty();
   system_.torque_free = no_laws && system_.coupled.empty() &&
@@ -157,7 +159,10 @@ void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& 
                            Meter& meter) {
   next_.bodies.resize(present_.bodies.size());
   std::copy(present_.bodies.begin(), present_.bodies.end(), next_.bodies.begin());
-  if (!present_.laws.empty()) next_.laws = present_.laws;
+  if (!present_.laws.empty()) {
+    next_.laws = present_.laws;
+    setClocks(t, next_.laws);
+  }
   switched_ = false;
   if (solved_ && t >= t_end) next_.bodies[0] = solved_->at(t_end);  // present_ may be older
   while (t < t_end) {
@@ -179,6 +184,7 @@ void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& 
     keepMotion();
     solved_.reset();
     gatherWrenches(schedules);
+    setClocks(t, next_.laws);
   }
 }
 

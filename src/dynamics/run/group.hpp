@@ -121,6 +121,9 @@ class Group {
   void addLaws(const World& world, const std::vector<std::size_t>& laws, const LawTable& table,
                const std::vector<double>& law_states);
   std::size_t localIndex(std::size_t body) const;
+  void addActuators(const std::vector<WrenchSchedule>& schedules);
+  void gatherActuators(const std::vector<WrenchSchedule>& schedules);
+  void setClocks(double t, std::vector<double>& laws) const;
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
   double nextEvent(const std::vector<WrenchSchedule>& schedules) const;
   SolvedProblem problem() const {

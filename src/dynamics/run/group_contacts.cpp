@@ -36,12 +36,18 @@ std::optional<MotionBound> Group::motionBound(const std::vector<WrenchSchedule>&
   const Body& body = *system_.bodies[0];
   // about a point of the world the arm has no bound
   if (!held.world_point_forces.empty()) return std::nullopt;
+  // nor has the precession about the momentum of wheels
+  if (held.drive && held.drive->spins()) return std::nullopt;
   MotionBound bound;
   bound.a_W = system_.g_W + held.f_W / body.mass;
   bound.a_off = held.f_P.norm() / body.mass;
   bound.torque = held.tau_W.norm() + held.tau_P.norm();
   for (const HeldWrench::BodyPointForce& lever : held.body_point_forces)
     bound.torque += lever.arm_P.norm() * lever.force_W.norm();
+  if (held.drive) {
+    bound.a_off += held.drive->forceBound() / body.mass;
+    bound.torque += held.drive->torqueBound();
+  }
   bound.until = nextEvent(schedules);
   return bound;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/actuators/actuator_law.hpp"
 #include "math/gauss_legendre.hpp"
 
 namespace rigid_body_sim {
@@ -23,6 +24,8 @@ void MotionPiece::at(double t, SystemState& states) const {
   if (motion_) {
     states.bodies.resize(1);
     states.bodies[0] = motion_->at(t);
+    for (const System::Driven& driven : system_.driven)
+      states.laws.assign(1, t - driven.law->drive().start);
     return;
   }
   states = *at_start_;

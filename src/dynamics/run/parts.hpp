@@ -11,8 +11,16 @@ namespace rigid_body_sim {
 
 /// A run and what follows it where it is asked for.
 struct Simulation::Parts {
-  explicit Parts(Run started) : run(std::move(started)) {
+  explicit Parts(Run started) : run(std::move(started)), commands_at_most(commandsToCome()) {
     for (const WrenchSchedule& schedule : run.schedules()) wrenches_at_most += schedule.size();
+  }
+
+  /// To actuators of all bodies.
+  std::size_t commandsToCome() const {
+    std::size_t count = 0;
+    for (const WrenchSchedule& schedule : run.schedules())
+      if (schedule.actuators()) count += schedule.actuators()->commandsToCome();
+    return count;
   }
 
   /// The state is another from now on.
@@ -25,6 +33,7 @@ struct Simulation::Parts {
   std::optional<Balance> balance;
   std::optional<ErrorTracker> error;
   std::size_t wrenches_at_most = 0;  ///< not less than wrenchCount()
+  std::size_t commands_at_most;      ///< not less than commandsToCome()
 };
 
 }  // namespace rigid_body_sim

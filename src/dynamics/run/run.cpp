@@ -99,6 +99,7 @@ State Run::state() const {
   State state;
   state.t = time_;
   state.laws = lawStates();
+  if (!start_->actuators.empty()) state.actuators = actuatorStates(schedules_);
   state.bodies.reserve(world_->bodies.size());
   for (std::size_t i = 0; i < world_->bodies.size(); ++i) state.bodies.push_back(body(i));
   state.anchors.resize(world_->bodies.size());
@@ -132,6 +133,8 @@ State Run::sample(double t) const {
       sampled.bodies[members[k]] = group.present().bodies[k];
     if (!sampled.laws.empty()) group.putLawStates(laws_, sampled.laws);
   }
+  if (!start_->actuators.empty())
+    sampled.actuators = actuatorStates(schedules.empty() ? schedules_ : schedules);
   return sampled;
 }
 

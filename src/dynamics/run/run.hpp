@@ -59,11 +59,18 @@ class Run {
 
   void setState(std::size_t body, const BodyState& state);
 
+  /// Commands an actuator, from its start on or from now.
+  void command(const ActuatorCommand& command);
+
   /// Back to the start; see ResetInput.
   void reset(bool restart_time);
 
  private:
   void place(const State& start, bool scheduled);
+  void takeActuators();
+  void placeActuators(const State& start, bool scheduled);
+  std::vector<std::vector<ActuatorState>> actuatorStates(
+      const std::vector<WrenchSchedule>& schedules) const;
   void formGroups(const State& start, bool scheduled);
   void findNextLink();
   std::vector<std::size_t> linkedFrom(double t) const;
@@ -100,6 +107,7 @@ class Run {
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const State> start_;
+  bool commanded_ = false;  // whether that is a state in which commands were taken already
   LawTable laws_;
   MethodPlanner planner_;
   LawWatches watches_;

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <utility>
 
+#include "dynamics/actuators/actuator_law.hpp"
+#include "dynamics/actuators/actuator_start.hpp"
 #include "dynamics/run/run.hpp"
 
 /// Which bodies a run advances together, and how.
@@ -18,6 +20,7 @@ Run::Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start)
       planner_.requireSupport(kCoupling, world_->bodies[wrench.body].name);
   for (const auto& law : world_->laws)
     planner_.requireSupport(law->needs(), world_->bodies[law->members().front()].name);
+  if (hasActuators(*world_)) takeActuators();
   planner_.take(start_->plans);
   place(*start_, true);
 }
@@ -51,6 +54,11 @@ void Run::reset(bool restart_time) {
   start.t = time_;
   start.anchors.clear();
   start.plans.clear();
+  for (std::vector<ActuatorState>& of_body : start.actuators)
+    for (ActuatorState& actuator : of_body) {
+      actuator.since += time_ - start_->t;
+      actuator.until += time_ - start_->t;
+    }
   place(start, false);
 }
 
@@ -63,6 +71,7 @@ void Run::place(const State& start, bool scheduled) {
   if (scheduled)
     for (const PointWrench& wrench : world_->wrenches)
       schedules_[wrench.body].put("", onSteps(wrench, h), 0);
+  if (!start.actuators.empty()) placeActuators(start, scheduled);
   for (WrenchSchedule& schedule : schedules_) schedule.advanceTo(time_);
   law_states_ = start.laws.empty() ? laws_.start(*world_) : start.laws;
   contact_events_.clear();
@@ -158,13 +167,6 @@ bool Run::clear(std::size_t body, const std::string& slot) {
   if (!all_held) regroup({body}, time_);
   if (std::isfinite(next_link_)) findNextLink();
   return true;
-}
-
-void Run::setState(std::size_t body, const BodyState& state) {
-  disturb(body);
-  restartGroup(body);
-  groups_.of(body).setState(groups_.memberOf(body), state);
-  restartContacts(body);
 }
 
 /// Begins anew from the present, what acts on a body or its state being another from now on.

@@ -63,6 +63,8 @@ void Simulation::apply(const SimulationInput& input) {
   } else if (const auto* state = std::get_if<StateInput>(&input)) {
     checkBody(world(), state->body);
     setState(state->body, toBodyState(world().bodies[state->body], state->motion));
+  } else if (const auto* command = std::get_if<CommandInput>(&input)) {
+    this->command(command->command);
   } else {
     reset(std::get<ResetInput>(input).restart_time);
   }
@@ -105,6 +107,7 @@ void Simulation::setState(std::size_t body, const BodyState& state) {
 void Simulation::reset(bool restart_time) {
   parts_->run.reset(restart_time);
   parts_->wrenches_at_most = wrenchCount();
+  parts_->commands_at_most = parts_->commandsToCome();
   if (parts_->error) parts_->error.emplace(parts_->run);
   parts_->restartTracking();
 }

@@ -27,17 +27,23 @@ bool isModest(const HeldWrench& wrench) {
   const auto pull = [](const HeldWrench::WorldPointForce& p) {
     return isModest(p.point_W) && isModest(p.force_W);
   };
-  return isModest(wrench.f_W) && isModest(wrench.tau_W) && isModest(wrench.f_P) &&
-         isModest(wrench.tau_P) &&
+  const auto isModestDrive = [](const ActuatorDrive& drive) {
+    return drive.forceBound() < kModest && drive.torqueBound() < kModest && isModest(drive.H_0);
+  };
+  return (!wrench.drive || isModestDrive(*wrench.drive)) && isModest(wrench.f_W) &&
+         isModest(wrench.tau_W) && isModest(wrench.f_P) && isModest(wrench.tau_P) &&
          std::all_of(wrench.body_point_forces.begin(), wrench.body_point_forces.end(), lever) &&
          std::all_of(wrench.world_point_forces.begin(), wrench.world_point_forces.end(), pull);
 }
 
 }  // namespace
 
-SolvedMotion::Motion SolvedMotion::solve(const SolvedProblem& p, const BodyState& state,
+SolvedMotion::Motion SolvedMotion::solve(const SolvedProblem& p, double t, const BodyState& state,
                                          double duration) {
   if (p.wrench.torqueFree()) return FreeFlight(p.body, p.wrench.f_W + p.body.mass * p.g_W, state);
+  if (p.wrench.drive)
+    return Driven(std::in_place, p.body, p.wrench, p.g_W, state, t - p.wrench.drive->start,
+                  p.bound);
   return Series(std::in_place, p.body, p.wrench, p.g_W, state, duration, p.bound);
 }
 
@@ -45,9 +51,13 @@ SolvedMotion::SolvedMotion(const SolvedProblem& problem, double t, const BodySta
                            double horizon)
     : anchor_(t),
       modest_(isModest(problem.body) && isModest(problem.wrench) && isModest(problem.g_W)),
-      motion_(solve(problem, state, horizon - t)) {
+      motion_(solve(problem, t, state, horizon - t)) {
   if (const auto* series = std::get_if<Series>(&motion_)) {
     valid_until_ = t + (*series)->validFor();
+    return;
+  }
+  if (const auto* driven = std::get_if<Driven>(&motion_)) {
+    valid_until_ = t + (*driven)->validFor();
     return;
   }
   // [rad] the angle is reduced in 64 bits, 5e-20 of it: beyond, 1e-4 rad are lost
@@ -59,6 +69,7 @@ void SolvedMotion::anchorAnew(const SolvedProblem& same_problem, double t, const
                               double horizon) {
   auto* series = std::get_if<Series>(&motion_);
   if (!series) {
+    if (anchorDriven(same_problem, t, state)) return;
     *this = SolvedMotion(same_problem, t, state, horizon);
     return;
   }
@@ -67,8 +78,19 @@ void SolvedMotion::anchorAnew(const SolvedProblem& same_problem, double t, const
   valid_until_ = t + (*series)->validFor();
 }
 
+bool SolvedMotion::anchorDriven(const SolvedProblem& same_problem, double t,
+                                const BodyState& state) {
+  auto* driven = std::get_if<Driven>(&motion_);
+  if (!driven) return false;
+  (*driven)->startAnew(same_problem.wrench, state, t - same_problem.wrench.drive->start);
+  anchor_ = t;
+  valid_until_ = t + (*driven)->validFor();
+  return true;
+}
+
 MotionAnchor SolvedMotion::anchor() const {
   if (const auto* series = std::get_if<Series>(&motion_)) return {anchor_, (*series)->start()};
+  if (const auto* driven = std::get_if<Driven>(&motion_)) return {anchor_, (*driven)->start()};
   return {anchor_, std::get<FreeFlight>(motion_).start()};
 }
 
@@ -79,7 +101,8 @@ double SolvedMotion::finiteUntil(const BodyState& state) const {
 BodyState SolvedMotion::at(double t) const {
   const double dt = t - anchor_;
   if (const auto* series = std::get_if<Series>(&motion_)) return (*series)->at(dt);
-  return std::get<FreeFlight>(motion_).at(dt);
+  if (const auto* flight = std::get_if<FreeFlight>(&motion_)) return flight->at(dt);
+  return (*std::get_if<Driven>(&motion_))->at(dt);
 }
 
 }  // namespace rigid_body_sim

@@ -5,7 +5,7 @@
 #include "dynamics/rotation/free_flight.hpp"
 #include "dynamics/run/boxed.hpp"
 #include "dynamics/step_too_long.hpp"
-#include "dynamics/taylor/taylor_segment.hpp"
+#include "dynamics/taylor/driven_segment.hpp"
 
 namespace rigid_body_sim {
 
@@ -18,7 +18,7 @@ struct SolvedProblem {
 };
 
 /// The motion of one body, solved from an anchor on: a free flight where there is no torque, else a
-/// Taylor segment.
+/// Taylor segment; one that is driven where motors act.
 class SolvedMotion {
  public:
   /// Anchors the motion at a state of time t [s]; it is not asked for beyond `horizon` [s].
@@ -46,8 +46,11 @@ class SolvedMotion {
 
  private:
   using Series = Boxed<TaylorSegment>;
-  using Motion = std::variant<FreeFlight, Series>;
-  static Motion solve(const SolvedProblem& problem, const BodyState& state, double duration);
+  using Driven = Boxed<DrivenSegment>;
+  using Motion = std::variant<FreeFlight, Series, Driven>;
+  static Motion solve(const SolvedProblem& problem, double t, const BodyState& state,
+                      double duration);
+  bool anchorDriven(const SolvedProblem& same_problem, double t, const BodyState& state);
 
   double anchor_;
   double valid_until_ = 0;

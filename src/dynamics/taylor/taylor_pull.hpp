@@ -36,6 +36,14 @@ class PullRecursion {
     return torque_P.cwiseProduct(vector(pull_.inv_I));
   }
 
+  /// What the coefficient k of another acceleration of the body [m/s²] adds, by time in the unit of
+  /// the series.
+  void accelerate(std::size_t k, const Vector3<T>& acceleration_W) {
+    if (k + 2 < torque_W_.size())
+      torque_W_[k + 2] +=
+          vector(pull_.force_W).cross(acceleration_W) * (kInverse<T>[k + 1] * kInverse<T>[k + 2]);
+  }
+
   /// The coefficient k + 1 of the integral of the torque in world axes.
   void integral(std::size_t k, T (&to)[4]) const {
     for (int i = 0; i < 3; ++i) to[i] = torque_W_[k][i] * kInverse<T>[k + 1];

@@ -3,12 +3,15 @@
 #include <type_traits>
 
 #include "dynamics/taylor/lanes.hpp"
+#include "dynamics/taylor/taylor_drive_recursion.hpp"
 #include "dynamics/taylor/taylor_products.hpp"
 #include "dynamics/taylor/taylor_pull.hpp"
 #include "dynamics/taylor/taylor_terms.hpp"
 
 namespace rigid_body_sim {
 namespace {
+
+constexpr int kNoDrive = 0;
 
 template <class T, bool kPulled>
 decltype(auto) pullOf(const TaylorEquations<T>& equations) {
@@ -18,13 +21,15 @@ decltype(auto) pullOf(const TaylorEquations<T>& equations) {
     return 0;
 }
 
-template <class T, bool kTurned, bool kPulled>
+/// drive: a TaylorDrive, or anything where there is none.
+template <class T, bool kTurned, bool kPulled, bool kDriven = false, class Drive = const int>
 RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size_t degree,
-                                  TaylorSeries<T>& series) {
+                                  TaylorSeries<T>& series, Drive& given_drive = kNoDrive) {
   Lanes<T> gyroscopic, steady;
   load<T>(equations.gyroscopic, gyroscopic);
   load<T>(equations.steady, steady);
   std::conditional_t<kPulled, PullRecursion<T>, int> pull(pullOf<T, kPulled>(equations));
+  [[maybe_unused]] std::conditional_t<kDriven, DriveRecursion<T>, int> drive(given_drive);
   Arranged<T> arranged;
   Products<T> p{};
   Lanes<T> w, q;
@@ -56,6 +61,11 @@ RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size
       for (int i = 0; i < 3; ++i) w_dot[i] += extra[i];
       pull.integral(k, series.pull[k + 1]);
     }
+    if constexpr (kDriven) {
+      drive.addAcceleration(arranged, k, w_dot);
+      drive.turn(k, p, inverse);
+      if constexpr (kPulled) pull.accelerate(k, drive.pushed());
+    }
     Lanes<T> q_dot;
     turn.q_dot(arranged, p, w, k, q_dot);
     w = w_dot * inverse;
@@ -74,6 +84,16 @@ RIGID_BODY_SIM_INLINE void expandAsAsked(const TaylorEquations<T>& equations, bo
     expand<T, true, false>(equations, degree, series);
   else
     expand<T, false, false>(equations, degree, series);
+}
+
+template <class T>
+RIGID_BODY_SIM_INLINE void expandDrivenAsAsked(const TaylorEquations<T>& equations,
+                                               TaylorDrive<T>& drive, std::size_t degree,
+                                               TaylorSeries<T>& series) {
+  if (equations.pull)
+    expand<T, true, true, true>(equations, degree, series, drive);
+  else
+    expand<T, true, false, true>(equations, degree, series, drive);
 }
 
 /// Horner's rule without the constant term.
@@ -121,6 +141,12 @@ RIGID_BODY_SIM_WIDE void expandWide(const TaylorEquations<double>& equations, bo
   expandAsAsked(equations, turned, degree, series);
 }
 
+RIGID_BODY_SIM_WIDE void expandDrivenWide(const TaylorEquations<double>& equations,
+                                          TaylorDrive<double>& drive, std::size_t degree,
+                                          TaylorSeries<double>& series) {
+  expandDrivenAsAsked(equations, drive, degree, series);
+}
+
 RIGID_BODY_SIM_WIDE void evaluateWide(const TaylorSeries<double>& series, bool turned,
                                       std::size_t degree, double s,
                                       TaylorIncrements<double>& increments) {
@@ -152,6 +178,16 @@ void expandTaylor(const TaylorEquations<T>& equations, bool turned, std::size_t 
 }
 
 template <class T>
+void expandDriven(const TaylorEquations<T>& equations, TaylorDrive<T>& drive, std::size_t degree,
+                  TaylorSeries<T>& series) {
+#if defined(__x86_64__)
+  if constexpr (std::is_same_v<T, double>)
+    if (hasWideLanes()) return expandDrivenWide(equations, drive, degree, series);
+#endif
+  expandDrivenAsAsked(equations, drive, degree, series);
+}
+
+template <class T>
 void evaluateTaylor(const TaylorSeries<T>& series, bool turned, std::size_t degree, T s,
                     TaylorIncrements<T>& increments) {
 #if defined(__x86_64__)
@@ -165,6 +201,10 @@ template void expandTaylor(const TaylorEquations<double>&, bool, std::size_t,
                            TaylorSeries<double>&);
 template void expandTaylor(const TaylorEquations<long double>&, bool, std::size_t,
                            TaylorSeries<long double>&);
+template void expandDriven(const TaylorEquations<double>&, TaylorDrive<double>&, std::size_t,
+                           TaylorSeries<double>&);
+template void expandDriven(const TaylorEquations<long double>&, TaylorDrive<long double>&,
+                           std::size_t, TaylorSeries<long double>&);
 template void expandTaylorNarrow(const TaylorEquations<double>&, bool, std::size_t,
                                  TaylorSeries<double>&);
 template void evaluateTaylor(const TaylorSeries<double>&, bool, std::size_t, double,

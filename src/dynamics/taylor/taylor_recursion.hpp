@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "dynamics/taylor/taylor_drive.hpp"
 #include "dynamics/taylor/taylor_equations.hpp"
 
 /// The recursion from each coefficient of the Taylor series to the next, and the evaluation of the
@@ -27,6 +28,11 @@ void expandTaylor(const TaylorEquations<T>& equations, bool turned, std::size_t 
 template <class T>
 void expandTaylorNarrow(const TaylorEquations<T>& equations, bool turned, std::size_t degree,
                         TaylorSeries<T>& series);
+
+/// The same with a drive, turned, and the drive's impulse and twist.
+template <class T>
+void expandDriven(const TaylorEquations<T>& equations, TaylorDrive<T>& drive, std::size_t degree,
+                  TaylorSeries<T>& series);
 
 /// The series at time s, by Horner's rule; of the products only if turned.
 template <class T>

@@ -48,17 +48,6 @@ T rateOf(const TaylorPull<T>& pull) {
       std::sqrt(std::sqrt(T(2) * vectorOf(pull.quadratic_W).cwiseAbs().maxCoeff() * inv_I)));
 }
 
-/// What a segment may err by, its motion turning by an angle: each of the θ radians of the whole
-/// run by an equal share of the bound, since an error of the angular velocity grows to up to θ
-/// times as much in the attitude by the end. A segment shorter than a radian has its part of the
-/// share.
-template <class T>
-T precisionFor(T rate, T angle, const ErrorBound& bound) {
-  const T theta = std::max(T(1), rate * T(bound.horizon));
-  const T share = T(bound.attitude) / (T(20) * theta * theta);
-  return std::max(std::numeric_limits<T>::epsilon(), share * std::min(angle, T(1)));
-}
-
 /// From units of the scene to those in which time is measured in time_unit.
 template <class T>
 TaylorEquations<T> scaled(TaylorEquations<T> equations, T time_unit) {
@@ -90,51 +79,73 @@ T root(T x, std::size_t n) {
 template <class T>
 TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
                                   const BodyStateT<T>& start, T horizon, const ErrorBound& bound)
-    : bound_(bound),
-      I_(body.I.template cast<T>()),
-      inv_I_(I_.cwiseInverse()),
+    : TaylorSegmentT(body, wrench, g_W, bound) {
+  startAnew(wrench, start, horizon);
+}
+
+template <class T>
+TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
+                                  const ErrorBound& bound)
+    : inv_I_(body.I.template cast<T>().cwiseInverse()),
       inv_mass_(T(1) / T(body.mass)),
+      f_P_(wrench.f_P.template cast<T>()),
+      body_force_(!wrench.f_P.isZero(0)),
+      bound_(bound),
+      I_(body.I.template cast<T>()),
       f_W_(wrench.f_W.template cast<T>() + T(body.mass) * g_W.template cast<T>()),
       a_W_(wrench.f_W.template cast<T>() * inv_mass_ + g_W.template cast<T>()),
-      f_P_(wrench.f_P.template cast<T>()),
       tau_W_(wrench.tau_W.template cast<T>()),
       tau_P_(wrench.tau_P.template cast<T>()),
       moments_(Matrix3<T>::Zero()),
-      body_force_(!wrench.f_P.isZero(0)),
       body_torque_(!wrench.tau_P.isZero(0) || !wrench.body_point_forces.empty() ||
                    !wrench.world_point_forces.empty()),
-      pulled_(!wrench.world_point_forces.empty()),
-      turned_(body_force_ || body_torque_ || !tau_W_.isZero(0)) {
+      pulled_(!wrench.world_point_forces.empty()) {
+  turned_ = body_force_ || body_torque_ || !tau_W_.isZero(0);
   for (const HeldWrench::BodyPointForce& force : wrench.body_point_forces)
     moments_ += force.arm_P.template cast<T>() * force.force_W.template cast<T>().transpose();
   if (!pulled_) setUpEquations();
-  startAnew(wrench, start, horizon);
 }
 
 template <class T>
 void TaylorSegmentT<T>::startAnew(const HeldWrench& same_wrench, const BodyStateT<T>& start,
                                   T horizon) {
+  Scaled scaled;
+  const T rate = begin(same_wrench, start, T(0), scaled);
+  const T angle = rate * horizon;
+  const T precision = precisionFor(rate, angle);
+  degree_ = degreeFor(angle, precision, kHighestTaylorDegree);
+  expandTaylor(scaled.equations, turned_, degree_, series_);
+  valid_for_ = length(precision) / rate_unit_;
+}
+
+template <class T>
+T TaylorSegmentT<T>::begin(const HeldWrench& wrench, const BodyStateT<T>& start, T rate,
+                           Scaled& scaled_to) {
   start_ = start;
-  if (pulled_) setUpPull(same_wrench);
+  if (pulled_) setUpPull(wrench);
   assign(series_.w[0], start.L_P.cwiseProduct(inv_I_));
   for (int i = 0; i < 4; ++i) series_.q[0][i] = start.q_WP.coeffs()[i];
 
-  const T rate = std::max(maxAbs(series_.w[0]), equations_rate_);
+  rate = std::max(rate, std::max(maxAbs(series_.w[0]), equations_rate_));
   rate_unit_ = unitOf(rate);
   const T time_unit = T(1) / rate_unit_;
   for (T& lane : series_.w[0]) lane *= time_unit;
-  TaylorEquations<T> equations = scaled(equations_, time_unit);
-  TaylorPull<T> pull;
+  scaled_to.equations = scaled(equations_, time_unit);
   if (pulled_) {
-    pull = scaled(pull_, time_unit);
-    equations.pull = &pull;
+    scaled_to.pull = scaled(pull_, time_unit);
+    scaled_to.equations.pull = &scaled_to.pull;
   }
+  return rate;
+}
 
-  const T angle = rate * horizon;
-  const T precision = precisionFor(rate, angle, bound_);
-  degree_ = degreeFor(angle, precision, kHighestTaylorDegree);
-  expandTaylor(equations, turned_, degree_, series_);
-  valid_for_ = length(precision) * time_unit;
+/// Each of the θ radians of the whole run by an equal share of the bound, since an error of the
+/// angular velocity grows to up to θ times as much in the attitude by the end. A segment shorter
+/// than a radian has its part of the share.
+template <class T>
+T TaylorSegmentT<T>::precisionFor(T rate, T angle) const {
+  const T theta = std::max(T(1), rate * T(bound_.horizon));
+  const T share = T(bound_.attitude) / (T(20) * theta * theta);
+  return std::max(std::numeric_limits<T>::epsilon(), share * std::min(angle, T(1)));
 }
 
 template <class T>
@@ -205,6 +216,13 @@ T TaylorSegmentT<T>::length(T size) const {
     last = std::max(last, std::max(sizeOf(N) / size_w, sizeOfL(N) / size_L));
     before = std::max(before, std::max(sizeOf(N - 1) / size_w, sizeOfL(N - 1) / size_L));
   }
+  return lengthBy(last, before, size, T(1));
+}
+
+template <class T>
+T TaylorSegmentT<T>::lengthBy(T last, T before, T size, T own) const {
+  const std::size_t N = degree_;
+  size = size * own;
   const T s = root(size / last, N);
   // before sᴺ⁻¹ <= 7 size, with sᴺ = size/last
   if (before <= T(7) * last * s) return s;

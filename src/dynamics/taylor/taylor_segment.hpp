@@ -57,39 +57,62 @@ class TaylorSegmentT {
   /// keeps its bits; the position takes it into its low part first.
   BodyStateT<T> at(T dt) const;
 
+ protected:
+  /// What a segment is expanded from, by time in the unit of its series.
+  struct Scaled {
+    TaylorEquations<T> equations;
+    TaylorPull<T> pull;
+  };
+
+  /// As far as it does not depend on a start.
+  TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
+                 const ErrorBound& bound);
+
+  /// Takes a start over. rate [1/s]: at least that of what is not in the equations. Returns the
+  /// rate at which the motion changes.
+  T begin(const HeldWrench& wrench, const BodyStateT<T>& start, T rate, Scaled& scaled);
+
+  /// What a segment may err by, its motion turning by an angle.
+  T precisionFor(T rate, T angle) const;
+
+  /// How long, in time units, the last terms stay below a relative size.
+  T length(T size) const;
+
+  /// The same of one series, by the sizes of its last terms and its own.
+  T lengthBy(T last, T before, T size, T own) const;
+
+  Vector3<T> inv_I_;
+  T inv_mass_;
+  Vector3<T> f_P_;      // [N] force fixed in the body
+  bool body_force_;     // whether momentum gains more than f_W dt
+  bool turned_;         // whether the series of products of q are there
+  std::size_t degree_;  // of the series
+  T rate_unit_;         // [1/s] power of two; the series are in s = rate_unit_ dt
+  T valid_for_;         // [s]
+  TaylorSeries<T> series_;
+
  private:
   using Array4 = Eigen::Array<T, 4, 1>;
 
   void setUpEquations();
   void setUpPull(const HeldWrench& wrench);
 
-  /// How long, in time units, the last terms stay below a relative size.
-  T length(T size) const;
-
   Vector3<T> pulledMoment(T s) const;
   Vector3<T> bodyDisplacement(T s) const;
 
   ErrorBound bound_;
   BodyStateT<T> start_;
-  Vector3<T> I_, inv_I_;
-  T inv_mass_;
+  Vector3<T> I_;
   Vector3<T> f_W_;                // [N] constant part of the force, with gravity
   Vector3<T> a_W_;                // [m/s²] constant part of the acceleration
-  Vector3<T> f_P_;                // [N] force fixed in the body
   Vector3<T> tau_W_;              // [N m] constant part of the torque in world axes
   Vector3<T> tau_P_;              // [N m] torque fixed in the body
   Matrix3<T> moments_;            // [N m] Σ armᵢ forceᵢᵀ, arms in P, forces in W
-  bool body_force_;               // whether momentum gains more than f_W dt
   bool body_torque_;              // whether angular momentum gains more than tau_W dt
   bool pulled_;                   // whether forces act at points of the world
-  bool turned_;                   // whether the series of products of q are there
   TaylorEquations<T> equations_;  // in the units of the scene
   TaylorPull<T> pull_;            // the same, where pulled_
   T equations_rate_;              // [1/s] at which they change the motion, whatever it is
-  std::size_t degree_;            // of the series
-  T rate_unit_;                   // [1/s] power of two; the series are in s = rate_unit_ dt
-  T valid_for_;                   // [s]
-  TaylorSeries<T> series_;
 };
 
 using TaylorSegment = TaylorSegmentT<double>;

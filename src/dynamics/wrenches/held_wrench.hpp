@@ -6,6 +6,8 @@
 
 #include <rigid_body_sim/dynamics/wrench.hpp>
 
+#include "dynamics/actuators/actuator_drive.hpp"
+
 namespace rigid_body_sim {
 
 /// The sum of the wrenches that act on one body between two events and depend on its own motion
@@ -35,6 +37,9 @@ struct HeldWrench {
 
   bool is_zero = false;  ///< whether all of that is known to be zero
 
+  /// What actuators add, which changes with time; null where they are idle. Not part of at().
+  const ActuatorDrive* drive = nullptr;
+
   /// Whether the wrench is of this kind: axes and point each fixed in the world or in the body
   /// itself, but not body axes at a world point.
   static bool holds(const PointWrench& applied);
@@ -42,8 +47,8 @@ struct HeldWrench {
   /// The wrench at a state of the body.
   Wrench at(const BodyState& state) const;
 
-  /// No force in body axes and no torque at all: the centre of mass flies a parabola and the
-  /// attitude turns freely.
+  /// No force in body axes, no torque and no drive at all: the centre of mass flies a parabola and
+  /// the attitude turns freely.
   bool torqueFree() const;
 };
 

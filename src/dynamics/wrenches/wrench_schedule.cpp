@@ -5,14 +5,15 @@
 
 namespace rigid_body_sim {
 
+double onStep(double t, double h) {
+  const double step = std::round(t / h) * h;
+  return std::abs(t - step) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(step) ? step
+                                                                                           : t;
+}
+
 PointWrench onSteps(PointWrench wrench, double h) {
-  const auto onStep = [h](double t) {
-    const double step = std::round(t / h) * h;
-    return std::abs(t - step) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(step) ? step
-                                                                                             : t;
-  };
   const double duration = wrench.end - wrench.start;
-  const double start = onStep(wrench.start), end = onStep(wrench.end);
+  const double start = onStep(wrench.start, h), end = onStep(wrench.end, h);
   if (!(end > start)) return wrench;  // shorter than what is rounding there
   const double share = (end - start) / duration;
   if (std::abs(share - 1) > kImpulseRounding) {
@@ -42,6 +43,22 @@ void WrenchSchedule::put(const std::string& slot, PointWrench wrench, double now
   }
   couples_ |= !HeldWrench::holds(wrench);
   if (wrench.end > wrench.start) pending_.emplace(wrench.start, Pending{slot, wrench});
+  findNextEvent();
+}
+
+void WrenchSchedule::setActuators(ActuatorSchedule actuators) {
+  actuators_ = std::move(actuators);
+  findNextEvent();
+}
+
+void WrenchSchedule::command(const ActuatorCommand& command, double now) {
+  actuators_->put(command, now);
+  findNextEvent();
+}
+
+void WrenchSchedule::followJump(const Vector3d& w_before_P, const Vector3d& w_after_P, double t) {
+  if (!actuators_) return;
+  actuators_->followJump(w_before_P, w_after_P, t);
   findNextEvent();
 }
 
@@ -76,6 +93,7 @@ bool WrenchSchedule::holds(const std::string& slot) const {
 
 bool WrenchSchedule::advanceTo(double t) {
   if (t < next_event_) return false;
+  if (actuators_) actuators_->advanceTo(t);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < active_.size(); ++i) {
     if (active_[i].end <= t) continue;
@@ -104,17 +122,24 @@ std::vector<PointWrench> WrenchSchedule::activeAt(double t) const {
   return later.active_;
 }
 
-void WrenchSchedule::beginStep() { before_ = Before{active_, active_slots_, {}}; }
+void WrenchSchedule::beginStep() {
+  before_ = Before{active_, active_slots_, {}};
+  if (actuators_) actuators_->beginStep();
+}
 
 void WrenchSchedule::takeBack() {
   active_ = std::move(before_->active);
   active_slots_ = std::move(before_->active_slots);
   for (auto& started : before_->started) pending_.insert(std::move(started));
   before_.reset();
+  if (actuators_) actuators_->takeBack();
   findNextEvent();
 }
 
-void WrenchSchedule::accept() { before_.reset(); }
+void WrenchSchedule::accept() {
+  before_.reset();
+  if (actuators_) actuators_->accept();
+}
 
 bool WrenchSchedule::allHeld() const {
   return std::all_of(active_.begin(), active_.end(), HeldWrench::holds);
@@ -150,6 +175,7 @@ void WrenchSchedule::findNextEvent() {
     if (!HeldWrench::holds(wrench)) next_coupling_ = std::min(next_coupling_, wrench.end);
   }
   if (!pending_.empty()) next_event_ = std::min(next_event_, pending_.begin()->first);
+  if (actuators_) next_event_ = std::min(next_event_, actuators_->nextEvent());
   if (!couples_) return;
   for (const auto& [start, pending] : pending_) {
     if (HeldWrench::holds(pending.wrench)) continue;

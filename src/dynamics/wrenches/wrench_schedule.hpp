@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/actuators/actuator_schedule.hpp"
 #include "dynamics/wrenches/held_wrench.hpp"
 
 namespace rigid_body_sim {
@@ -16,13 +17,28 @@ namespace rigid_body_sim {
 /// short a wrench that this would change its impulse keeps it.
 PointWrench onSteps(PointWrench wrench, double h);
 
-/// The wrenches applied to one body: those that act, and those to come in order of their start.
+/// The same for an instant by itself.
+double onStep(double t, double h);
+
+/// The wrenches applied to one body: those that act, and those to come in order of their start. Of
+/// a body with actuators also what these do: their events are events of the schedule.
 class WrenchSchedule {
  public:
   /// Adds a wrench. In a named slot it takes over from the slot's former one at its own start;
   /// what the slot held for later is dropped. An empty slot always adds. A start before `now` means
   /// now, at the same duration; a wrench without duration is dropped.
   void put(const std::string& slot, PointWrench wrench, double now);
+
+  void setActuators(ActuatorSchedule actuators);
+
+  /// Null where the body has none.
+  const ActuatorSchedule* actuators() const { return actuators_ ? &*actuators_ : nullptr; }
+
+  /// Commands an actuator of the body; see ActuatorSchedule::put.
+  void command(const ActuatorCommand& command, double now);
+
+  /// See ActuatorSchedule::followJump.
+  void followJump(const Vector3d& w_before_P, const Vector3d& w_after_P, double t);
 
   /// Drops all, or what a slot holds. Returns whether there was anything.
   bool clear();
@@ -81,6 +97,7 @@ class WrenchSchedule {
   std::vector<std::string> active_slots_;   // of active_, index by index
   std::multimap<double, Pending> pending_;  // by start
   std::optional<Before> before_;            // within a step
+  std::optional<ActuatorSchedule> actuators_;
   double next_event_ = std::numeric_limits<double>::infinity();
   bool couples_ = false;  // whether any, since all were cleared, was not held
   double next_coupling_ = std::numeric_limits<double>::infinity();
