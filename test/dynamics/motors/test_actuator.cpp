@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/dynamics/describe_solution.hpp>
+
+#include "support/motor_benches.hpp"
+
+/// What is no motor.
+namespace rigid_body_sim {
+namespace {
+
+using namespace test;
+
+std::string faultWith(const Actuator& actuator) {
+  return actuatorsFault({actuator}, Vector3d(1, 2, 3).asDiagonal());
+}
+
+}  // namespace
+
+TEST(Actuator, FaultsAreNamed) {
+  Thruster thruster;
+  EXPECT_EQ(faultWith(named("main", thruster)), "");
+  thruster.direction_B = {0, 0, 2};
+  EXPECT_EQ(faultWith(named("main", thruster)),
+            "actuator 'main': direction must be of unit length");
+  EXPECT_EQ(faultWith(named("main", thrusterAt({0, 0, 0}, {0, 0, 1}, 1e-10))),
+            "actuator 'main': time_constant must be 0 or from 1e-9 to 1e9 s");
+  Rotor rotor = rotorAt({0, 0, 0}, 1);
+  rotor.time_constant = 0;
+  EXPECT_EQ(faultWith(named("r", rotor)),
+            "actuator 'r': with inertia, time_constant must be > 0 s: else the body's angular "
+            "velocity would jump");
+  rotor.inertia = 0;
+  EXPECT_EQ(faultWith(named("r", rotor)), "");
+  EXPECT_EQ(faultWith(named("w", wheelAlong({1, 0, 0}, 0))),
+            "actuator 'w': inertia must be > 0 kg m^2 and finite");
+  EXPECT_EQ(faultWith(named("w", wheelAlong({1, 0, 0}, 1.5))),
+            "its inertia without that of the wheels about their axes must be positive definite, "
+            "least principal moment -0.5 kg m^2: `inertia` includes the wheels");
+  Actuator limited = named("w", wheelAlong({1, 0, 0}, 0.5));
+  limited.least = 1;
+  limited.greatest = -1;
+  EXPECT_EQ(faultWith(limited), "actuator 'w': limits must be two numbers that ascend");
+  EXPECT_EQ(actuatorsFault({named("a", Thruster()), named("a", Wheel(wheelAlong({1, 0, 0}, 0.1)))},
+                           Matrix3d::Identity()),
+            "actuator 'a': its name must be unique in its body and not empty");
+}
+
+TEST(Actuator, BodiesWithFaultsAreRefused) {
+  EXPECT_THROW(makeBody("box", {1, Vector3d::Zero(), Matrix3d::Identity()},
+                        {named("w", wheelAlong({0, 1, 0}, 2))}),
+               std::invalid_argument);
+  Bench bench = benchOf(motley(), motleyStart());
+  bench.world.bodies[0].fixed = true;
+  try {
+    bench.simulation("auto", 0.1);
+    ADD_FAILURE();
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_STREQ(refused.what(), "body 'body': it is fixed, motors cannot move it");
+  }
+}
+
+TEST(Actuator, ADescriptionNamesMotors) {
+  const Simulation sim = benchOf(quadrotor(), BodyFrameMotion()).simulation("auto", 0.1);
+  EXPECT_EQ(describeSolution(sim).at(0), "body: gravity, motors, Taylor");
+}
+
+}  // namespace rigid_body_sim
