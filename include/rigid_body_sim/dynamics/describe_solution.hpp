@@ -19,4 +19,7 @@ std::vector<std::string> describeSolution(const Simulation& simulation);
 /// Says that steps were divided further than asked for, and how far; empty if none was.
 std::string describeSubsteps(const Simulation& simulation);
 
+/// Says from when on the tolerance is not held, as far as errors are tracked; empty while it is.
+std::string describePromise(const Simulation& simulation);
+
 }  // namespace rigid_body_sim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,9 @@ class SimulationDiverged : public std::runtime_error {
 struct ErrorEstimate {
   double attitude = 0;  ///< [rad]
   double position = 0;  ///< [m]
+  /// [s] With auto: since when the estimate, of attitude or, of a body that has come further than
+  /// its size, of position relative to its path, exceeds the tolerance; infinite while it does not.
+  double lost_at = std::numeric_limits<double>::infinity();
 };
 
 /// Advances a world by its fixed time step. Time is step count × step, never accumulated.

@@ -130,4 +130,15 @@ std::string describeSubsteps(const Simulation& simulation) {
   return text.str();
 }
 
+std::string describePromise(const Simulation& simulation) {
+  const double lost_at = simulation.errorEstimate().lost_at;
+  if (!std::isfinite(lost_at)) return "";
+  std::ostringstream text;
+  text << "from " << lost_at << " s on, tolerance " << simulation.world().solver.tolerance
+       << " is not certain to be held: a second run, at looser bounds of its steps, differs from "
+          "this "
+          "one by more than that";
+  return text.str();
+}
+
 }  // namespace rigid_body_sim

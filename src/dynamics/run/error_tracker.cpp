@@ -47,18 +47,33 @@ void ErrorTracker::follow(const Run& run) {
     while (2 * coarse_->steps() < run.steps()) coarse_->step();
   } catch (const SimulationDiverged&) {
     estimate_.attitude = estimate_.position = std::numeric_limits<double>::infinity();
+    estimate_.lost_at = std::min(estimate_.lost_at, run.time());
     return;
   }
-  for (const Group& group : run.groups().all()) {
-    if (solvedToRounding(run, group)) continue;
-    // a solved motion is compared with itself solved to rounding
-    const double ratio = excessOf(run, group);
-    for (std::size_t body : group.members()) {
-      const BodyState fine = run.body(body), coarse = coarse_->body(body);
-      estimate_.attitude =
-          std::max(estimate_.attitude, angleBetween(fine.q_WP, coarse.q_WP) / ratio);
-      estimate_.position = std::max(estimate_.position, distanceBetween(fine, coarse) / ratio);
-    }
+  for (std::size_t body = paths_.size(); body < run.world().bodies.size(); ++body)
+    paths_.push_back({run.body(body)});
+  for (const Group& group : run.groups().all())
+    if (!solvedToRounding(run, group)) compare(run, group);
+}
+
+void ErrorTracker::compare(const Run& run, const Group& group) {
+  const SolverOptions& solver = run.world().solver;
+  // a solved motion is compared with itself solved to rounding
+  const double ratio = excessOf(run, group);
+  for (std::size_t body : group.members()) {
+    const BodyState fine = run.body(body), coarse = coarse_->body(body);
+    const double attitude = angleBetween(fine.q_WP, coarse.q_WP) / ratio;
+    const double position = distanceBetween(fine, coarse) / ratio;
+    Path& path = paths_[body];
+    path.length += distanceBetween(fine, path.last);
+    path.last = fine;
+    const bool has_moved = path.length > radiusOfGyration(run.world().bodies[body]);
+    const bool exceeds =
+        attitude > solver.tolerance || (has_moved && position > solver.tolerance * path.length);
+    if (exceeds && solver.integrator == "auto" && run.time() <= solver.horizon)
+      estimate_.lost_at = std::min(estimate_.lost_at, run.time());
+    estimate_.attitude = std::max(estimate_.attitude, attitude);
+    estimate_.position = std::max(estimate_.position, position);
   }
 }
 

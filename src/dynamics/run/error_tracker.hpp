@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dynamics/run/run.hpp"
 
@@ -23,15 +24,25 @@ class ErrorTracker {
   void command(const ActuatorCommand& command);
 
   /// The run has changed otherwise: the other one starts from it at its next step of even count.
-  void restart() { coarse_.reset(); }
+  void restart() {
+    coarse_.reset();
+    paths_.clear();
+  }
 
   const ErrorEstimate& estimate() const { return estimate_; }
 
  private:
   void start(const Run& run);
+  void compare(const Run& run, const Group& group);
 
+  /// How far a body has come, as this has followed it.
+  struct Path {
+    BodyState last;
+    double length = 0;  // [m]
+  };
   std::optional<Run> coarse_;  // none before a step of even count, and where all is solved
   ErrorEstimate estimate_;
+  std::vector<Path> paths_;  // by body; empty before a step is followed
 };
 
 }  // namespace rigid_body_sim

@@ -2,6 +2,10 @@
 
 #include <utility>
 
+#include <ros/console.h>
+
+#include <rigid_body_sim/dynamics/describe_solution.hpp>
+
 namespace rigid_body_sim {
 namespace {
 
@@ -37,6 +41,12 @@ void Monitor::track(bool wanted) {
   if (simulation_.world().solver.integrator == "auto") simulation_.trackError();
 }
 
+void Monitor::warnOfLostTolerance() {
+  const std::string promise = describePromise(simulation_);
+  if (!promise.empty() && !has_warned_) ROS_WARN_STREAM(promise);
+  has_warned_ = !promise.empty();
+}
+
 void Monitor::report(Health health, Clock::time_point now) {
   track(hasSubscribers());
   next_report_ = now + kMonitorPeriod;
@@ -47,6 +57,7 @@ void Monitor::report(Health health, Clock::time_point now) {
   last_overruns_ = health.status.overruns;
   if (!hasSubscribers()) return;
 
+  warnOfLostTolerance();
   addFigures(simulation_, health.status);
   health.status.header.frame_id = world_frame_;
   health.status.header.stamp = origin_.stamp(simulation_.time());

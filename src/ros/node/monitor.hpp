@@ -33,6 +33,7 @@ class Monitor {
  private:
   bool hasSubscribers() const;
   void track(bool wanted);
+  void warnOfLostTolerance();
 
   std::string world_frame_;
   Simulation& simulation_;
@@ -42,7 +43,8 @@ class Monitor {
   double last_t_ = 0;
   std::uint64_t last_overruns_ = 0;
   bool tracked_ = false;
-  Health health_;  // of the last report
+  bool has_warned_ = false;  // that the tolerance is not held
+  Health health_;            // of the last report
   ros::Publisher status_;
   ros::Publisher diagnostics_;  // the updater's topic, to know whether it has subscribers
   diagnostic_updater::Updater updater_;

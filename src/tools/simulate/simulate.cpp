@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 
@@ -160,6 +161,8 @@ void finish(Job& job) {
   if (job.bag) job.bag->finish();
   const std::string substeps = describeSubsteps(job.simulation);
   if (!substeps.empty()) job.note(substeps);
+  const std::string promise = describePromise(job.simulation);
+  if (!promise.empty()) job.note(promise);
   if (job.record && !job.record->remainder(job.duration).empty())
     job.note(job.record->remainder(job.duration));
   job.messages.print();
@@ -173,6 +176,8 @@ void run(const SimulateOptions& options) {
   for (const std::string& line : describeSolution(job.simulation)) job.messages.add(line);
   if (!job.record) job.messages.print();  // else an input to come may not be of this scene
 
+  // contacts magnify errors, so that no choice of steps can promise the tolerance beforehand
+  if (job.world.solver.integrator == "auto" && hasContact(job.world)) job.simulation.trackError();
   const auto begin = std::chrono::steady_clock::now();
   const State last = simulateOrReport(job);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
