@@ -10,6 +10,7 @@
 #include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/mass/particles.hpp>
 #include <rigid_body_sim/mass/shapes.hpp>
+#include <rigid_body_sim/scene/actuator_def.hpp>
 #include <rigid_body_sim/scene/visual.hpp>
 
 namespace rigid_body_sim {
@@ -118,6 +119,7 @@ struct BodyDef {
   std::vector<PointDef> points;
   bool fixed = false;  ///< it never moves
   VisualDef visual;
+  ActuatorDefs actuators;
   std::optional<std::vector<CollisionDef>> collision;  ///< none: what it is made of touches
 
   int line = 0;              ///< of its name
@@ -191,6 +193,7 @@ struct Scene {
   std::vector<BodyDef> bodies;
   std::vector<ForceDef> forces;
   std::vector<WrenchDef> wrenches;
+  std::vector<CommandDef> commands;
   std::vector<std::string> notices;  ///< what the reader put right; for the user to see
 };
 

@@ -6,6 +6,7 @@
 
 #include "dynamics/run/coupling.hpp"
 #include "scene/build/body_mass.hpp"
+#include "scene/build/build_actuators.hpp"
 #include "scene/build/build_laws.hpp"
 #include "scene/build/check_scene.hpp"
 
@@ -15,7 +16,8 @@ namespace {
 Body bodyOf(const BodyDef& def) {
   // that of a fixed body is ignored; a plane has none, and any other is as good
   const MassProperties any{1, Vector3d::Zero(), Matrix3d::Identity()};
-  Body body = makeBody(def.name, hasMass(def) ? massProperties(def) : any);
+  Body body =
+      makeBody(def.name, hasMass(def) ? massProperties(def) : any, actuatorsOf(def.actuators));
   body.fixed = def.fixed;
   return body;
 }
@@ -61,6 +63,7 @@ World buildWorld(const Scene& scene) {
   for (const BodyDef& def : scene.bodies) world.bodies.push_back(bodyOf(def));
   if (scene.gravity) world.g_W = *scene.gravity;
   world.wrenches = wrenchesOf(scene, world.bodies);
+  world.commands = commandsOf(scene, world.bodies);
   world.laws = lawsOf(scene, world.bodies);
   world.solver = {scene.integrator, scene.time_step, scene.tolerance, scene.horizon,
                   scene.tolerance_stated};

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scene/build/body_mass.hpp"
+#include "scene/build/build_actuators.hpp"
 #include "scene/build/inertia_rules.hpp"
 #include "scene/message_text.hpp"
 
@@ -68,6 +69,34 @@ void checkMotion(const Scene& scene, const BodyDef& body) {
                          " rad/s");
 }
 
+/// Commands name an actuator by its body and its own name. A body that never moves has none.
+void checkActuators(const Scene& scene, const BodyDef& body) {
+  std::unordered_map<std::string, int> line_of;
+  const auto check = [&](const char* key, const auto& actuators) {
+    for (const auto& actuator : actuators) {
+      const std::string where = "body '" + body.name + "': " + key + "." + actuator.name;
+      if (body.fixed)
+        throw SceneError(scene.source, actuator.line,
+                         where + " cannot move its body, which is fixed");
+      const auto [taken, is_new] = line_of.emplace(actuator.name, actuator.line);
+      if (!is_new)
+        throw SceneError(
+            scene.source, actuator.line,
+            where + ": name is taken, by the actuator on line " + std::to_string(taken->second));
+    }
+  };
+  check("thrusters", body.actuators.thrusters);
+  check("rotors", body.actuators.rotors);
+  check("wheels", body.actuators.wheels);
+  if (!body.actuators.any()) return;
+  // of what a loaded scene may still break, only wheels remain
+  const std::vector<WheelDef>& wheels = body.actuators.wheels;
+  const std::string fault = actuatorsFault(actuatorsOf(body.actuators), massProperties(body).I_Bcm);
+  if (!fault.empty())
+    throw SceneError(scene.source, wheels.empty() ? body.line : wheels.front().line,
+                     "body '" + body.name + "': " + fault);
+}
+
 }  // namespace
 
 void checkScene(const Scene& scene) {
@@ -78,6 +107,7 @@ void checkScene(const Scene& scene) {
     else
       checkPlane(scene, body);
     checkMotion(scene, body);
+    checkActuators(scene, body);
   }
 }
 

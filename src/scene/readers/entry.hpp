@@ -120,6 +120,8 @@ std::string frameNameRule();
 
 /// The nearest double; finite. `unit` is for the message; empty: a pure number.
 double readNumber(const Entry& value, const std::string& unit);
+/// ±.inf included
+double readBound(const Entry& value, const std::string& unit);
 double readPositive(const Entry& value, const std::string& unit);
 double readNotNegative(const Entry& value, const std::string& unit);
 /// > 0, .inf included

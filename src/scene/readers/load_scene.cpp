@@ -54,6 +54,14 @@ std::vector<WrenchDef> readWrenches(const Entry& value) {
   return wrenches;
 }
 
+std::vector<CommandDef> readCommands(const Entry& value) {
+  value.checkCount(Simulation::kMaxCommands, "commands");
+  std::vector<CommandDef> commands;
+  for (const Entry& item : value.items("must be a list of commands"))
+    commands.push_back(readCommand(item));
+  return commands;
+}
+
 /// auto, or a row of the catalogue.
 std::string readIntegrator(const Entry& value) {
   std::string name = readText(value);
@@ -110,6 +118,7 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
       {"bodies", [](const Entry& e, Scene& s) { s.bodies = readBodies(e); }, true},
       {"forces", [](const Entry& e, Scene& s) { s.forces = readForces(e); }},
       {"wrenches", [](const Entry& e, Scene& s) { s.wrenches = readWrenches(e); }},
+      {"commands", [](const Entry& e, Scene& s) { s.commands = readCommands(e); }},
   };
   const YamlDocument document = parseYaml(yaml_text, context.source);
   const Entry root(context, document.root);

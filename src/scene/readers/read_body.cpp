@@ -121,6 +121,9 @@ BodyDef readBody(const Entry& list_item) {
       {"drag", [](const Entry& e, BodyDef& b) { b.drag = readDrag(e); }},
       {"points", [](const Entry& e, BodyDef& b) { b.points = readPoints(e); }},
       {"collision", [](const Entry& e, BodyDef& b) { b.collision = readCollision(e); }},
+      {"thrusters", [](const Entry& e, BodyDef& b) { b.actuators.thrusters = readThrusters(e); }},
+      {"rotors", [](const Entry& e, BodyDef& b) { b.actuators.rotors = readRotors(e); }},
+      {"wheels", [](const Entry& e, BodyDef& b) { b.actuators.wheels = readWheels(e); }},
       {"fixed", [](const Entry& e, BodyDef& b) { b.fixed = readBoolean(e); }},
       {"visual", [](const Entry& e, BodyDef& b) { b.visual = readVisual(e); }},
   };

@@ -11,6 +11,10 @@ WrenchDef readWrench(const Entry& entry);
 ForceDef readForce(const Entry& entry);
 ContactDef readContact(const Entry& entry);
 Drag::Coefficients readDrag(const Entry& entry);
+std::vector<ThrusterDef> readThrusters(const Entry& entry);
+std::vector<RotorDef> readRotors(const Entry& entry);
+std::vector<WheelDef> readWheels(const Entry& entry);
+CommandDef readCommand(const Entry& entry);
 
 /// The value of `shape`.
 SolidGeometry readGeometry(const Entry& entry);

@@ -142,6 +142,13 @@ double readNumber(const Entry& value, const std::string& unit) {
   return *number;
 }
 
+double readBound(const Entry& value, const std::string& unit) {
+  const std::optional<double> number = numberIn(value.node());
+  if (!number || std::isnan(*number))
+    value.failRule("must be a number, -.inf or .inf" + bracketed(unit));
+  return *number;
+}
+
 double readPositive(const Entry& value, const std::string& unit) {
   const double number = readNumber(value, unit);
   if (!(number > 0)) value.failRule("must be > 0" + (unit.empty() ? "" : " " + unit));

@@ -20,7 +20,7 @@ void addOnce(const std::string& cause, Causes& causes) {
   if (std::find(causes.begin(), causes.end(), cause) == causes.end()) causes.push_back(cause);
 }
 
-/// What changes energy and momentum of each body beside gravity: wrenches, laws, inputs.
+/// What changes energy and momentum of each body beside gravity: wrenches, laws, motors, inputs.
 std::vector<Causes> causesOf(const World& world, double t_end,
                              const std::vector<InputEffects>& inputs) {
   std::vector<Causes> causes(world.bodies.size());
@@ -30,6 +30,8 @@ std::vector<Causes> causesOf(const World& world, double t_end,
     if (inputs[i].wrench) addOnce("wrenches", causes[i]);
   for (const auto& law : world.laws)
     for (std::size_t body : law->members()) addOnce(law->name(), causes[body]);
+  for (std::size_t i = 0; i < causes.size(); ++i)
+    if (!world.bodies[i].actuators.empty()) addOnce("motors", causes[i]);
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].moved) addOnce("set_state or reset", causes[i]);
   return causes;
