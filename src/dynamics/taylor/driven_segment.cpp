@@ -46,14 +46,18 @@ DrivenSegmentT<T>::DrivenSegmentT(const Body& body, const HeldWrench& wrench, co
 template <class T>
 void DrivenSegmentT<T>::startAnew(const HeldWrench& same_wrench, const BodyStateT<T>& start,
                                   T since) {
-  typename Base::Scaled scaled;
-  const T rate = this->begin(same_wrench, start, driveRate(*same_wrench.drive, since), scaled);
+  const T rate = this->begin(same_wrench, start, driveRate(*same_wrench.drive, since));
   const T precision = this->precisionFor(rate, T(1));
   this->degree_ = degreeFor(T(1), precision, kDrivenDegree);
   setUpDrive(same_wrench, since);
-  if (scaled.equations.pull)  // what the drive pushes comes by its own series
-    for (T& lane : scaled.pull.acceleration_P) lane = T(0);
-  expandDriven(scaled.equations, drive_, this->degree_, this->series_);
+  TaylorEquations<T> equations = this->scaledEquations();
+  TaylorPull<T> pull;
+  if (this->pulled_) {
+    pull = this->scaledPull();
+    for (T& lane : pull.acceleration_P) lane = T(0);  // what the drive pushes has its own series
+    equations.pull = &pull;
+  }
+  expandDriven(equations, drive_, this->degree_, this->series_);
   const T s = std::min({this->length(precision), lengthOf(drive_.impulse, precision),
                         lengthOf(drive_.twist, precision)});
   this->valid_for_ = s / this->rate_unit_;

@@ -89,6 +89,7 @@ TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, co
     : inv_I_(body.I.template cast<T>().cwiseInverse()),
       inv_mass_(T(1) / T(body.mass)),
       f_P_(wrench.f_P.template cast<T>()),
+      pulled_(!wrench.world_point_forces.empty()),
       body_force_(!wrench.f_P.isZero(0)),
       bound_(bound),
       I_(body.I.template cast<T>()),
@@ -98,8 +99,7 @@ TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, co
       tau_P_(wrench.tau_P.template cast<T>()),
       moments_(Matrix3<T>::Zero()),
       body_torque_(!wrench.tau_P.isZero(0) || !wrench.body_point_forces.empty() ||
-                   !wrench.world_point_forces.empty()),
-      pulled_(!wrench.world_point_forces.empty()) {
+                   !wrench.world_point_forces.empty()) {
   turned_ = body_force_ || body_torque_ || !tau_W_.isZero(0);
   for (const HeldWrench::BodyPointForce& force : wrench.body_point_forces)
     moments_ += force.arm_P.template cast<T>() * force.force_W.template cast<T>().transpose();
@@ -109,18 +109,24 @@ TaylorSegmentT<T>::TaylorSegmentT(const Body& body, const HeldWrench& wrench, co
 template <class T>
 void TaylorSegmentT<T>::startAnew(const HeldWrench& same_wrench, const BodyStateT<T>& start,
                                   T horizon) {
-  Scaled scaled;
-  const T rate = begin(same_wrench, start, T(0), scaled);
+  const T rate = begin(same_wrench, start, T(0));
+  const T time_unit = T(1) / rate_unit_;
+  TaylorEquations<T> equations = scaled(equations_, time_unit);
+  TaylorPull<T> pull;
+  if (pulled_) {
+    pull = scaled(pull_, time_unit);
+    equations.pull = &pull;
+  }
+
   const T angle = rate * horizon;
   const T precision = precisionFor(rate, angle);
   degree_ = degreeFor(angle, precision, kHighestTaylorDegree);
-  expandTaylor(scaled.equations, turned_, degree_, series_);
-  valid_for_ = length(precision) / rate_unit_;
+  expandTaylor(equations, turned_, degree_, series_);
+  valid_for_ = length(precision) * time_unit;
 }
 
 template <class T>
-T TaylorSegmentT<T>::begin(const HeldWrench& wrench, const BodyStateT<T>& start, T rate,
-                           Scaled& scaled_to) {
+T TaylorSegmentT<T>::begin(const HeldWrench& wrench, const BodyStateT<T>& start, T rate) {
   start_ = start;
   if (pulled_) setUpPull(wrench);
   assign(series_.w[0], start.L_P.cwiseProduct(inv_I_));
@@ -130,12 +136,17 @@ T TaylorSegmentT<T>::begin(const HeldWrench& wrench, const BodyStateT<T>& start,
   rate_unit_ = unitOf(rate);
   const T time_unit = T(1) / rate_unit_;
   for (T& lane : series_.w[0]) lane *= time_unit;
-  scaled_to.equations = scaled(equations_, time_unit);
-  if (pulled_) {
-    scaled_to.pull = scaled(pull_, time_unit);
-    scaled_to.equations.pull = &scaled_to.pull;
-  }
   return rate;
+}
+
+template <class T>
+TaylorEquations<T> TaylorSegmentT<T>::scaledEquations() const {
+  return scaled(equations_, T(1) / rate_unit_);
+}
+
+template <class T>
+TaylorPull<T> TaylorSegmentT<T>::scaledPull() const {
+  return scaled(pull_, T(1) / rate_unit_);
 }
 
 /// Each of the θ radians of the whole run by an equal share of the bound, since an error of the

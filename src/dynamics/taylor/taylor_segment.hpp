@@ -58,19 +58,17 @@ class TaylorSegmentT {
   BodyStateT<T> at(T dt) const;
 
  protected:
-  /// What a segment is expanded from, by time in the unit of its series.
-  struct Scaled {
-    TaylorEquations<T> equations;
-    TaylorPull<T> pull;
-  };
-
   /// As far as it does not depend on a start.
   TaylorSegmentT(const Body& body, const HeldWrench& wrench, const Vector3d& g_W,
                  const ErrorBound& bound);
 
   /// Takes a start over. rate [1/s]: at least that of what is not in the equations. Returns the
   /// rate at which the motion changes.
-  T begin(const HeldWrench& wrench, const BodyStateT<T>& start, T rate, Scaled& scaled);
+  T begin(const HeldWrench& wrench, const BodyStateT<T>& start, T rate);
+
+  /// By time in the unit of the series.
+  TaylorEquations<T> scaledEquations() const;
+  TaylorPull<T> scaledPull() const;
 
   /// What a segment may err by, its motion turning by an angle.
   T precisionFor(T rate, T angle) const;
@@ -84,6 +82,7 @@ class TaylorSegmentT {
   Vector3<T> inv_I_;
   T inv_mass_;
   Vector3<T> f_P_;      // [N] force fixed in the body
+  bool pulled_;         // whether forces act at points of the world
   bool body_force_;     // whether momentum gains more than f_W dt
   bool turned_;         // whether the series of products of q are there
   std::size_t degree_;  // of the series
@@ -109,7 +108,6 @@ class TaylorSegmentT {
   Vector3<T> tau_P_;              // [N m] torque fixed in the body
   Matrix3<T> moments_;            // [N m] Σ armᵢ forceᵢᵀ, arms in P, forces in W
   bool body_torque_;              // whether angular momentum gains more than tau_W dt
-  bool pulled_;                   // whether forces act at points of the world
   TaylorEquations<T> equations_;  // in the units of the scene
   TaylorPull<T> pull_;            // the same, where pulled_
   T equations_rate_;              // [1/s] at which they change the motion, whatever it is
