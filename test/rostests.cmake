@@ -13,10 +13,12 @@ function(rigid_body_sim_rostest name)
   add_dependencies(${target} ${programs})
   target_compile_definitions(${target} PRIVATE ${program_definitions}
     RIGID_BODY_SIM_FOLLOWER_SCENE="${PROJECT_SOURCE_DIR}/test/ros/node/follower.yaml"
+    RIGID_BODY_SIM_MOTORS_SCENE="${PROJECT_SOURCE_DIR}/test/ros/node/motors.yaml"
     RIGID_BODY_SIM_TEST_SCENE="${PROJECT_SOURCE_DIR}/test/ros/node/lopsided.yaml")
 endfunction()
 rigid_body_sim_rostest(between_steps)
 rigid_body_sim_rostest(clock)
+rigid_body_sim_rostest(commands rigid_body_sim_bag)
 rigid_body_sim_rostest(doors)
 rigid_body_sim_rostest(fleet)
 rigid_body_sim_rostest(launch_files)

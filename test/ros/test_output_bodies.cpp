@@ -44,7 +44,7 @@ TEST(Outputs, LeaveOutABodyThatIsRemovedUntilItIsAddedAgain) {
   EXPECT_EQ(children(run.published.tf.back()), Names{"ball"});
   EXPECT_EQ(run.published.odometry.at("box/odom").size(), odometry_of_box);
 
-  run.outputs.add(0, openBodyTopics(run.published, run.world.bodies[0].name, 0));
+  run.outputs.add(0, openBodyTopics(run.published, run.world, 0));
   run.steps(1);
   EXPECT_EQ(run.published.states.back().name, (Names{"box", "ball", "post"}));
   EXPECT_EQ(children(run.published.tf.back()), (Names{"box", "ball"}));
@@ -57,8 +57,8 @@ TEST(LiveMarkers, DeleteTheTrailOfABodyThatIsRemoved) {
   test::PublishedRun run(0.01);
   MarkerArray message;
   LiveMarkers markers(
-      {[] { return 1; }, [&](const MarkerArray& all, const ros::Time&) { message = all; }},
-      "world");
+      {[] { return 1; }, [&](const MarkerArray& all, const ros::Time&) { message = all; }}, "world",
+      {"box", "ball", "post"});
   markers.add(0, 0.1);
   markers.add(1, 0.1);
   const auto publish = [&] {

@@ -53,7 +53,7 @@ TEST_F(SimulateBags, WrenchMessagesActFromTheStepAtTheirTimeInTheBag) {
                        " --wrench-bag " + path("messages.bag")),
               0)
         << said;
-    EXPECT_NE(said.find("2 wrenches taken at the times of the bag, 1 refused"), std::string::npos)
+    EXPECT_NE(said.find("2 inputs taken at the times of the bag, 1 refused"), std::string::npos)
         << said;
     ASSERT_EQ(simulate(scene(R"(
 wrenches: [{body: box, frame: world, force: [3, 0, 0], start: 0.04, duration: 0.5},
@@ -93,12 +93,13 @@ TEST_F(SimulateBags, BagThatCannotBeUsedIsRefusedInOneLine) {
   const std::map<std::string, std::string> refusals{
       {"--wrench-bag " + path("absent.bag"), "absent.bag: Error opening file"},
       {"--wrench-bag " + path("text.bag"), "text.bag: "},
-      {"--wrench-bag " + path("empty.bag"), "empty.bag: holds no wrench for a body of the scene"},
+      {"--wrench-bag " + path("empty.bag"),
+       "empty.bag: holds no wrench and no command for a body of the scene"},
       {"--wrench-bag " + path("two.bag"), "must hold the inputs of one node, got /a/inputs and"},
       {"--wrench-bag " + path("robots.bag"),
-       "must hold the wrenches of one node, got /robot_a/box/wrench and /robot_b/box/wrench"},
+       "must hold the inputs of one node, got /robot_a/box/wrench and /robot_b/box/wrench"},
       {"--wrench-bag " + path("nodes.bag"),
-       "must hold the wrenches of one node, got /a/rigid_body_node/wrench and /b/"},
+       "must hold the inputs of one node, got /a/rigid_body_node/wrench and /b/"},
       {"--time-step 1e-12 --duration 1e-9 --wrench-bag " + path("late.bag"),
        "late.bag: holds a message at more than 2^53 steps of the scene"},
       {"--bag " + path("no/such/directory"),

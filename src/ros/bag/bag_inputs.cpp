@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include "ros/inputs/command_intake.hpp"
 #include "ros/inputs/wrench_intake.hpp"
 #include "ros/options/node_options.hpp"
 #include "scene/limits.hpp"
@@ -35,11 +38,14 @@ std::vector<Input> recordedInputs(const rosbag::Bag& bag) {
   return inputs;
 }
 
-/// What the wrench interfaces of a node would have made of the messages of a bag.
-class WrenchMessages {
+/// What the interfaces of a node for wrenches and commands would have made of the messages of a
+/// bag.
+class InputMessages {
  public:
-  WrenchMessages(const Scene& scene, const World& world)
-      : world_(world), intake_(scene, world.bodies, NodeOptions().wrench_timeout) {}
+  InputMessages(const Scene& scene, const World& world)
+      : world_(world),
+        intake_(scene, world.bodies, NodeOptions().wrench_timeout),
+        commands_(world, NodeOptions().command_timeout) {}
 
   void take(const rosbag::Bag& bag) {
     rosbag::View view(bag);
@@ -59,36 +65,51 @@ class WrenchMessages {
         intake_.addStatic(*frames);
     } else if (const AppliedWrench::ConstPtr wrench = message.instantiate<AppliedWrench>()) {
       requireOneTopic("", message.getTopic());
-      add(message.getTime(), [&](double now) { return intake_.take(*wrench, origin, now); });
+      add(message.getTime(), [&](double now) { return one(intake_.take(*wrench, origin, now)); });
     } else if (const auto on_body = message.instantiate<geometry_msgs::WrenchStamped>()) {
-      const std::string body = bodyOf(message.getTopic());
-      if (body.empty()) return;
-      requireOneTopic(body, message.getTopic());
-      add(message.getTime(), [&](double now) { return intake_.take(body, *on_body, now); });
+      const auto body = bodyOf(message.getTopic(), "/wrench");
+      if (!body) return;
+      const std::string& name = world_.bodies[*body].name;
+      requireOneTopic(name + "/wrench", message.getTopic());
+      add(message.getTime(), [&](double now) { return one(intake_.take(name, *on_body, now)); });
+    } else if (const auto command = message.instantiate<sensor_msgs::JointState>()) {
+      const auto body = bodyOf(message.getTopic(), "/command");
+      if (!body || world_.bodies[*body].actuators.empty()) return;
+      requireOneTopic(world_.bodies[*body].name + "/command", message.getTopic());
+      add(message.getTime(), [&](double now) { return take(*body, *command, now); });
     }
   }
 
-  /// The body whose topic this is, /box/wrench or /robot/box/wrench; empty if none.
-  std::string bodyOf(const std::string& topic) const {
-    for (const Body& body : world_.bodies) {
-      const std::string ending = "/" + body.name + "/wrench";
+  using Inputs = std::vector<SimulationInput>;
+
+  static Inputs one(SimulationInput input) { return {std::move(input)}; }
+
+  Inputs take(std::size_t body, const sensor_msgs::JointState& message, double now) const {
+    const std::vector<CommandInput> commands = commands_.take(body, message, origin, now);
+    return {commands.begin(), commands.end()};
+  }
+
+  /// The body whose topic this is, /box/wrench or /robot/box/wrench; none where it is no body's.
+  std::optional<std::size_t> bodyOf(const std::string& topic, const std::string& kind) const {
+    for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
+      const std::string ending = "/" + world_.bodies[i].name + kind;
       if (topic.size() >= ending.size() &&
           topic.compare(topic.size() - ending.size(), ending.size(), ending) == 0)
-        return body.name;
+        return i;
     }
-    return "";
+    return std::nullopt;
   }
 
-  /// Two topics of one kind are those of two nodes, of which the scene is one. The topic for any
-  /// body has the body "".
-  void requireOneTopic(const std::string& body, const std::string& topic) {
-    const std::string& known = topics_.emplace(body, topic).first->second;
+  /// Two topics of one kind are those of two nodes, of which the scene is one. kind: as within the
+  /// scene, such as box/wrench; empty for the topic for any body.
+  void requireOneTopic(const std::string& kind, const std::string& topic) {
+    const std::string& known = topics_.emplace(kind, topic).first->second;
     if (known != topic)
-      throw std::invalid_argument("must hold the wrenches of one node, got " + known + " and " +
+      throw std::invalid_argument("must hold the inputs of one node, got " + known + " and " +
                                   topic + "; rosbag filter parts them");
   }
 
-  /// resolve(now): the input of a message that arrives at the step boundary `now` [s].
+  /// resolve(now): the inputs of a message that arrives at the step boundary `now` [s].
   template <class Resolve>
   void add(const ros::Time& arrival, const Resolve& resolve) {
     const double h = world_.solver.time_step;
@@ -96,7 +117,8 @@ class WrenchMessages {
     if (step > kMaxSteps)
       throw std::invalid_argument("holds a message at more than 2^53 steps of the scene");
     try {
-      inputs.push_back({static_cast<std::uint64_t>(step), resolve(step * h)});
+      for (SimulationInput& input : resolve(step * h))
+        inputs.push_back({static_cast<std::uint64_t>(step), std::move(input)});
     } catch (const std::invalid_argument&) {
       ++refused;
     }
@@ -104,7 +126,8 @@ class WrenchMessages {
 
   const World& world_;
   WrenchIntake intake_;
-  std::map<std::string, std::string> topics_;  // by body
+  CommandIntake commands_;
+  std::map<std::string, std::string> topics_;  // by kind
 };
 
 BagInputs inputsOf(const rosbag::Bag& bag, const Scene& scene, const World& world) {
@@ -117,13 +140,13 @@ BagInputs inputsOf(const rosbag::Bag& bag, const Scene& scene, const World& worl
     result.origin.start.fromNSec(static_cast<std::uint64_t>(std::max<std::int64_t>(start, 0)));
     return result;
   }
-  WrenchMessages messages(scene, world);
+  InputMessages messages(scene, world);
   messages.take(bag);
   if (messages.inputs.empty() && messages.refused == 0)
-    throw std::invalid_argument("holds no wrench for a body of the scene");
+    throw std::invalid_argument("holds no wrench and no command for a body of the scene");
   return {messages.inputs, messages.origin,
           "no ~inputs of a node: " + std::to_string(messages.inputs.size()) +
-              " wrenches taken at the times of the bag, " + std::to_string(messages.refused) +
+              " inputs taken at the times of the bag, " + std::to_string(messages.refused) +
               " refused"};
 }
 

@@ -6,6 +6,7 @@
 #include <geometry_msgs/WrenchStamped.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <sensor_msgs/JointState.h>
 
 #include <rigid_body_sim/AppliedWrench.h>
 #include <rigid_body_sim/Input.h>
@@ -13,9 +14,17 @@
 namespace rigid_body_sim {
 namespace {
 
+/// Commands and what actuators do are of one type.
+bool isCommandTopic(const std::string& topic) {
+  const std::string name = "/command";
+  return topic.size() >= name.size() && topic.substr(topic.size() - name.size()) == name;
+}
+
 bool isInput(const rosbag::MessageInstance& message) {
   namespace traits = ros::message_traits;
   const std::string type = message.getDataType();
+  if (type == traits::datatype<sensor_msgs::JointState>())
+    return isCommandTopic(message.getTopic());
   return type == traits::datatype<Input>() || type == traits::datatype<AppliedWrench>() ||
          type == traits::datatype<geometry_msgs::WrenchStamped>();
 }

@@ -1,11 +1,11 @@
 #include "ros/inputs/input_messages.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "ros/inputs/state_requests.hpp"
 #include "ros/messages/body_index.hpp"
 #include "ros/messages/conversions.hpp"
+#include "scene/build/build_actuators.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -106,14 +106,7 @@ StateInput stateOf(const Input& message, const World& world, const std::string& 
 CommandInput commandOf(const Input& message, const World& world) {
   ActuatorCommand command;
   command.body = bodyNamed(message.body, world.bodies);
-  const std::vector<Actuator>& actuators = world.bodies[command.body].actuators;
-  const auto named =
-      std::find_if(actuators.begin(), actuators.end(),
-                   [&](const Actuator& actuator) { return actuator.name == message.actuator; });
-  if (named == actuators.end())
-    throw std::invalid_argument("body '" + message.body + "' has no actuator '" + message.actuator +
-                                "'");
-  command.actuator = static_cast<std::size_t>(named - actuators.begin());
+  command.actuator = actuatorNamed(message.actuator, world.bodies[command.body]);
   command.value = message.value;
   command.start = message.start;
   command.end = message.end;

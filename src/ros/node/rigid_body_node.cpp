@@ -22,13 +22,15 @@ namespace {
 
 const char* const kHelp =
     R"(usage: rosrun rigid_body_sim rigid_body_node _scene_file:=FILE [_PARAMETER:=VALUE ...]
-Simulates a scene in ROS time: takes wrenches from topics and services, publishes odometry and tf.
+Simulates a scene in ROS time: takes wrenches and commands from topics and
+services, publishes odometry and tf.
 
   _scene_file:=FILE        the scene; or _scene:=TEXT, its YAML text
   _publish_rate:=HZ        of states, per second of simulation time; default 100
   _real_time_factor:=X     simulated over wall time, 0: as fast as possible; default 1
   _wrench_timeout:=S       how long a wrench without a duration is held, 0: until replaced;
                            default 0.5
+  _command_timeout:=S      how long a command to an actuator is held, 0: until replaced; default 0.5
   _publish_clock:=BOOL     start at 0 and send /clock; needs /use_sim_time; default false
   _clock_rate:=HZ          of /clock, per second of simulation time; default 100
   _start_time:=S           where on a /clock that is followed the run starts; default: where it is

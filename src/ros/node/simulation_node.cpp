@@ -78,6 +78,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
                }),
       wrenches_(queues_.nh, queues_.private_nh, scene, simulation_, inputs_, time_.origin(),
                 options, refusals_),
+      commands_(queues_.nh, simulation_, inputs_, time_.origin(), options, refusals_),
       states_(queues_.private_nh, scene.world_frame, simulation_, inputs_),
       pause_(queues_.private_nh.advertiseService("pause", &SimulationNode::pause, this)),
       step_(queues_.step_nh.advertiseService("step", &SimulationNode::stepPaused, this)),

@@ -13,6 +13,7 @@
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
 #include "ros/clock/timekeeper.hpp"
+#include "ros/inputs/command_interfaces.hpp"
 #include "ros/inputs/inputs.hpp"
 #include "ros/inputs/refusals.hpp"
 #include "ros/inputs/state_services.hpp"
@@ -74,6 +75,7 @@ class SimulationNode {
   Mouse mouse_;
   HandleTopics handles_;
   WrenchInterfaces wrenches_;
+  CommandInterfaces commands_;
   StateServices states_;
   ros::ServiceServer pause_, step_, reset_;
 };

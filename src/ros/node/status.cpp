@@ -40,6 +40,7 @@ void addFigures(const Simulation& simulation, SimStatus& status) {
   status.active_wrenches = static_cast<std::uint32_t>(simulation.wrenchCount());
   addMechanics(simulation, status);
   addContacts(simulation, status);
+  status.saturations = static_cast<std::uint64_t>(simulation.saturations());
   status.tolerance_holds = holdsTolerance(simulation);
   status.attitude_error = status.position_error = std::numeric_limits<double>::quiet_NaN();
   if (world.solver.integrator == "auto") {
@@ -88,6 +89,7 @@ void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper&
   diagnostic.add("most substeps of a step", status.most_parts);
   diagnostic.add("places that touch", status.contacts);
   diagnostic.add("greatest penetration [m]", status.greatest_penetration);
+  diagnostic.add("commands held at a limit", status.saturations);
   diagnostic.add("energy [J]", status.mechanical_energy);
   diagnostic.add("energy balance [J]", status.energy_balance);
   diagnostic.add("momentum balance [kg m/s]", norm(status.momentum_balance));

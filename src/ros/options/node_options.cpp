@@ -129,6 +129,7 @@ const std::map<std::string, Reader>& readers() {
   static const std::map<std::string, Reader> table{
       {"body_topics", into(&NodeOptions::body_topics, readBool)},
       {"clock_rate", into(&NodeOptions::clock_rate, readRate)},
+      {"command_timeout", into(&NodeOptions::command_timeout, readNotNegative)},
       {"odometry_covariance", into(&NodeOptions::odometry_covariance, readDiagonal)},
       {"publish_clock", into(&NodeOptions::publish_clock, readBool)},
       {"publish_rate", into(&NodeOptions::publish_rate, readRate)},

@@ -15,15 +15,16 @@ namespace rigid_body_sim {
 struct NodeOptions {
   static constexpr double kMaxRate = 1e9;  ///< [Hz] stamps are whole nanoseconds
 
-  std::string scene_file;       ///< path of the scene; empty when scene_text is given
-  std::string scene_text;       ///< the scene itself, YAML; empty when scene_file is given
-  double publish_rate = 100;    ///< [Hz] of simulation time, 0 < rate <= kMaxRate
-  double clock_rate = 100;      ///< [Hz] of simulation time, 0 < rate <= kMaxRate
-  bool publish_clock = false;   ///< time starts at 0 and is sent on /clock
-  double real_time_factor = 1;  ///< simulated / wall time, >= 0; 0: as fast as possible
-  double wrench_timeout = 0.5;  ///< [s] of simulation time, >= 0; 0: held for ever
-  bool body_topics = true;      ///< false: no topics of single bodies
-  std::string tf_prefix;        ///< of the frames of bodies and points; empty: none
+  std::string scene_file;        ///< path of the scene; empty when scene_text is given
+  std::string scene_text;        ///< the scene itself, YAML; empty when scene_file is given
+  double publish_rate = 100;     ///< [Hz] of simulation time, 0 < rate <= kMaxRate
+  double clock_rate = 100;       ///< [Hz] of simulation time, 0 < rate <= kMaxRate
+  bool publish_clock = false;    ///< time starts at 0 and is sent on /clock
+  double real_time_factor = 1;   ///< simulated / wall time, >= 0; 0: as fast as possible
+  double wrench_timeout = 0.5;   ///< [s] of simulation time, >= 0; 0: held for ever
+  double command_timeout = 0.5;  ///< [s] of simulation time, >= 0; 0: held for ever
+  bool body_topics = true;       ///< false: no topics of single bodies
+  std::string tf_prefix;         ///< of the frames of bodies and points; empty: none
   std::array<double, 6> odometry_covariance{};  ///< diagonal of pose and of twist, >= 0
   bool reset_time = false;  ///< reset starts time again; with publish_clock only
   bool start_paused = false;

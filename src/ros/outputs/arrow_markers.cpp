@@ -24,6 +24,8 @@ struct Kind {
 };
 constexpr Kind kForce{"wrench/force", 0.9F, 0.2F, 0.2F};
 constexpr Kind kCouple{"wrench/couple", 0.9F, 0.8F, 0.2F};
+constexpr Kind kActuatorForce{"actuator/force", 0.95F, 0.45F, 0.75F};
+constexpr Kind kActuatorTorque{"actuator/torque", 0.6F, 0.4F, 0.9F};
 constexpr Kind kNormal{"contact/normal", 0.2F, 0.8F, 0.3F};
 constexpr Kind kFriction{"contact/friction", 0.9F, 0.5F, 0.1F};
 constexpr Kind kAngularMomentum{"motion/angular_momentum", 0.2F, 0.8F, 0.8F};
@@ -67,6 +69,31 @@ std::vector<Marker> wrenchArrows(const PointWrench& applied, const std::vector<B
   addArrow(kForce, point_W, toWorldAxes(applied, applied.force, states), weight, size, arrows);
   addArrow(kCouple, point_W, toWorldAxes(applied, applied.torque, states), weight * size / 2, size,
            arrows);
+  return arrows;
+}
+
+std::vector<Marker> actuatorArrows(const Body& body, const std::string& body_frame,
+                                   const std::vector<ActuatorReading>& readings) {
+  const double size = sizeOf(body);
+  const double weight = body.mass * kStandardGravity;
+  std::vector<Marker> arrows;
+  const auto addForce = [&](const auto& actuator, const ActuatorReading& reading) {
+    addArrow(kActuatorForce, actuator.position_B, reading.force * actuator.direction_B, weight,
+             size, arrows);
+  };
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const auto& kind = body.actuators[i].kind;
+    if (const auto* thruster = std::get_if<Thruster>(&kind)) addForce(*thruster, readings[i]);
+    if (const auto* rotor = std::get_if<Rotor>(&kind)) addForce(*rotor, readings[i]);
+    const auto* wheel = std::get_if<Wheel>(&kind);
+    if (!wheel) continue;
+    const Vector3d torque_B = -readings[i].torque * wheel->axis_B;  // on the body
+    addArrow(kActuatorTorque, body.X_BP.translation(), torque_B, weight * size / 2, size, arrows);
+  }
+  for (Marker& arrow : arrows) {
+    arrow.header.frame_id = body_frame;  // at its latest pose: no stamp
+    arrow.frame_locked = true;
+  }
   return arrows;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <visualization_msgs/Marker.h>
@@ -14,9 +15,11 @@ namespace rigid_body_sim {
 double sizeOf(const Body& body);
 
 /// Arrows in the world that show what acts on a body and how it turns; without header and id, in
-/// the namespaces wrench/force, wrench/couple, contact/normal, contact/friction and
-/// motion/angular_momentum:
+/// the namespaces wrench/force, wrench/couple, actuator/force, actuator/torque, contact/normal,
+/// contact/friction and motion/angular_momentum:
 ///   a force and a couple, each from the point at which the wrench acts,
+///   the force of a thruster or rotor from its place, the torque of a wheel on the body from the
+///   centre of mass,
 ///   normal and friction force on the body that touches, from the place where it touches,
 ///   the angular momentum from the centre of mass.
 /// An arrow is as long as the body (sizeOf) for a force equal to the weight on Earth, a couple
@@ -27,6 +30,9 @@ double sizeOf(const Body& body);
 std::vector<visualization_msgs::Marker> wrenchArrows(const PointWrench& applied,
                                                      const std::vector<Body>& bodies,
                                                      const std::vector<BodyState>& states);
+/// Those of actuators are in the body's frame, with which rviz moves them.
+std::vector<visualization_msgs::Marker> actuatorArrows(
+    const Body& body, const std::string& body_frame, const std::vector<ActuatorReading>& readings);
 std::vector<visualization_msgs::Marker> contactArrows(const ContactPoint& contact,
                                                       const std::vector<Body>& bodies);
 std::vector<visualization_msgs::Marker> momentumArrows(const Body& body, const BodyState& state);

@@ -20,7 +20,7 @@ class ContactOutput {
   /// The origin is referred to, not copied.
   ContactOutput(Topic<Contacts> topic, std::string world_frame, const TimeOrigin& origin);
 
-  bool hasSubscribers() const { return topic_.subscribers && topic_.subscribers() > 0; }
+  bool hasSubscribers() const { return topic_.hasSubscribers(); }
 
   /// Keeps the touches and releases within the last step of a simulation, once, until the next
   /// message.

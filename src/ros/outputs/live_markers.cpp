@@ -33,14 +33,16 @@ void appendDeletion(const std::string& name_space, int id, MarkerArray& all) {
 
 }  // namespace
 
-LiveMarkers::LiveMarkers(Topic<MarkerArray> topic, const std::string& world_frame)
-    : world_frame_(world_frame), topic_(std::move(topic)) {}
+LiveMarkers::LiveMarkers(Topic<MarkerArray> topic, const std::string& world_frame,
+                         std::vector<std::string> body_frames)
+    : world_frame_(world_frame), body_frames_(std::move(body_frames)), topic_(std::move(topic)) {}
 
 void LiveMarkers::add(std::size_t body, double trail_width) {
   trails_.emplace(body, Trail(firstTrailId(body), trail_width));
 }
 
 void LiveMarkers::remove(std::size_t body) {
+  rotors_.erase(body);
   if (trails_.erase(body) == 0) return;
   for (int i = 0; i < Trail::kStrips; ++i) ended_trails_.push_back(firstTrailId(body) + i);
 }
@@ -52,12 +54,15 @@ void LiveMarkers::forget() {
 }
 
 void LiveMarkers::publish(const Snapshot& snapshot, const ros::Time& stamp) {
-  MarkerArray all = arrows(snapshot);
+  MarkerArray all;
+  addRotors(snapshot, all);
+  addArrows(snapshot, all);
   const std::map<std::string, int> shown = number(all);
   deleteEnded(shown, all);
   addTrails(snapshot, all);
   shown_ = shown;
   for (Marker& marker : all.markers) {
+    if (marker.frame_locked) continue;  // in the frame of a body
     marker.header.frame_id = world_frame_;
     marker.header.stamp = stamp;
   }
@@ -68,18 +73,28 @@ void LiveMarkers::breakTrails() {
   for (auto& [body, trail] : trails_) trail.breakOff();
 }
 
-MarkerArray LiveMarkers::arrows(const Snapshot& snapshot) const {
+void LiveMarkers::addArrows(const Snapshot& snapshot, MarkerArray& all) const {
   const std::vector<Body>& bodies = snapshot.world().bodies;
   const std::vector<BodyState>& states = snapshot.bodies();
-  MarkerArray all;
   for (const auto& [body, trail] : trails_) {
     for (const PointWrench& applied : snapshot.activeWrenches(body))
       append(wrenchArrows(applied, bodies, states), all);
+    if (!bodies[body].actuators.empty())
+      append(actuatorArrows(bodies[body], body_frames_[body], snapshot.actuators(body)), all);
     append(momentumArrows(bodies[body], states[body]), all);
   }
   for (const ContactPoint& contact : snapshot.contacts())
     append(contactArrows(contact, bodies), all);
-  return all;
+}
+
+/// Of the bodies with rotors that have been taken in.
+void LiveMarkers::addRotors(const Snapshot& snapshot, MarkerArray& all) {
+  for (const auto& [body, trail] : trails_) {
+    const Body& shown = snapshot.world().bodies[body];
+    if (shown.actuators.empty()) continue;
+    const auto rotors = rotors_.try_emplace(body, body_frames_[body], shown).first;
+    append(rotors->second.at(snapshot.time(), snapshot.actuators(body)), all);
+  }
 }
 
 /// Deletes the arrows shown before beyond those that are shown now, and trails that have ended.

@@ -6,18 +6,21 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include "ros/outputs/rotor_markers.hpp"
 #include "ros/outputs/snapshot.hpp"
 #include "ros/outputs/topic.hpp"
 #include "ros/outputs/trail.hpp"
 
 namespace rigid_body_sim {
 
-/// What changes on ~markers, beside the bodies themselves: arrows of the wrenches that act, of
-/// the forces of contact and of angular momentum, and the trails of the centres of mass of the
-/// moving bodies. Computed while somebody looks: a trail starts then.
+/// What changes on ~markers, beside the bodies themselves: rotors that turn, arrows of the wrenches
+/// that act, of actuators, of the forces of contact and of angular momentum, and the trails of the
+/// centres of mass of the moving bodies. Computed while somebody looks: a trail starts then.
 class LiveMarkers {
  public:
-  LiveMarkers(Topic<visualization_msgs::MarkerArray> topic, const std::string& world_frame);
+  /// body_frames: those of all bodies of the world on tf.
+  LiveMarkers(Topic<visualization_msgs::MarkerArray> topic, const std::string& world_frame,
+              std::vector<std::string> body_frames);
 
   /// Takes in a body that moves, by its index in the world, with the width of its trail [m]; gives
   /// it back: its trail and arrows go with the next message.
@@ -35,15 +38,18 @@ class LiveMarkers {
   void breakTrails();
 
  private:
-  visualization_msgs::MarkerArray arrows(const Snapshot& snapshot) const;
+  void addArrows(const Snapshot& snapshot, visualization_msgs::MarkerArray& all) const;
+  void addRotors(const Snapshot& snapshot, visualization_msgs::MarkerArray& all);
   void deleteEnded(const std::map<std::string, int>& shown, visualization_msgs::MarkerArray& all);
   void addTrails(const Snapshot& snapshot, visualization_msgs::MarkerArray& all);
 
   std::string world_frame_;
+  std::vector<std::string> body_frames_;
   Topic<visualization_msgs::MarkerArray> topic_;
-  std::map<std::string, int> shown_;     // arrows by namespace; ids count from 0
-  std::map<std::size_t, Trail> trails_;  // by body
-  std::vector<int> ended_trails_;        // of bodies given back: ids to delete
+  std::map<std::string, int> shown_;            // arrows by namespace; ids count from 0
+  std::map<std::size_t, Trail> trails_;         // by body
+  std::vector<int> ended_trails_;               // of bodies given back: ids to delete
+  std::map<std::size_t, RotorMarkers> rotors_;  // by body
 };
 
 }  // namespace rigid_body_sim

@@ -6,6 +6,7 @@
 #include <geometry_msgs/WrenchStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/JointState.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -20,9 +21,10 @@ namespace rigid_body_sim {
 
 /// The topics of a body that moves.
 struct BodyTopics {
-  std::size_t body;  ///< index
+  std::size_t body = 0;  ///< index
   Topic<nav_msgs::Odometry> odometry;
   Topic<geometry_msgs::WrenchStamped> applied_wrench;
+  Topic<sensor_msgs::JointState> actuators;  ///< empty functions unless the body has some
 };
 
 /// What a run publishes, topic by topic.
@@ -43,12 +45,19 @@ struct TopicChoice {
   bool single_bodies = true;  ///< those of BodyTopics
 };
 
-/// The topics of a body that moves, by the names that roscpp resolves. A Transport has
+/// The topics of a body of the world that moves, by the names that roscpp resolves. A Transport has
 ///   template <class Message> Topic<Message> open(const std::string& name, bool latched);
 template <class Transport>
-BodyTopics openBodyTopics(Transport& transport, const std::string& name, std::size_t body) {
-  return {body, transport.template open<nav_msgs::Odometry>(name + "/odom", false),
-          transport.template open<geometry_msgs::WrenchStamped>(name + "/applied_wrench", false)};
+BodyTopics openBodyTopics(Transport& transport, const World& world, std::size_t body) {
+  const std::string& name = world.bodies[body].name;
+  BodyTopics topics;
+  topics.body = body;
+  topics.odometry = transport.template open<nav_msgs::Odometry>(name + "/odom", false);
+  topics.applied_wrench =
+      transport.template open<geometry_msgs::WrenchStamped>(name + "/applied_wrench", false);
+  if (!world.bodies[body].actuators.empty())
+    topics.actuators = transport.template open<sensor_msgs::JointState>(name + "/actuators", false);
+  return topics;
 }
 
 /// All topics; Transport as above.
@@ -70,7 +79,7 @@ OutputTopics openTopics(Transport& transport, const World& world, const TopicCho
     topics.clock = transport.template open<rosgraph_msgs::Clock>("/clock", !kLatched);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (world.bodies[i].fixed || !choice.single_bodies) continue;
-    topics.bodies.push_back(openBodyTopics(transport, world.bodies[i].name, i));
+    topics.bodies.push_back(openBodyTopics(transport, world, i));
   }
   return topics;
 }

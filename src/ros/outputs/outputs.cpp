@@ -40,7 +40,7 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
       clock_instants_(options.clock_rate, simulation.time()),
       marker_instants_(std::min(options.publish_rate, kMarkerRate), simulation.time()),
       contacts_(topics_.contacts, scene.world_frame, origin),
-      live_markers_(topics_.live_markers, scene.world_frame),
+      live_markers_(topics_.live_markers, scene.world_frame, frames_.bodies()),
       bodies_(toMarkers(scene, frames_)) {
   std::vector<std::optional<BodyTopics>> of_body(simulation.world().bodies.size());
   for (BodyTopics& own : std::exchange(topics_.bodies, {})) of_body[own.body] = std::move(own);
@@ -131,6 +131,10 @@ void Outputs::greet(const BodyTopics& topics) {
   }));
   topics.applied_wrench.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
     return toWrench(body, snapshot, stamp);
+  }));
+  if (!topics.actuators.greetWith) return;
+  topics.actuators.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
+    return toActuators(body, snapshot, stamp);
   }));
 }
 
@@ -235,7 +239,8 @@ void Outputs::publishState(double t, bool with_markers) {
 bool Outputs::anySubscribers() const {
   return topics_.states.subscribers() > 0 || contacts_.hasSubscribers() ||
          std::any_of(topics_.bodies.begin(), topics_.bodies.end(), [](const BodyTopics& topics) {
-           return topics.odometry.subscribers() > 0 || topics.applied_wrench.subscribers() > 0;
+           return topics.odometry.subscribers() > 0 || topics.applied_wrench.subscribers() > 0 ||
+                  topics.actuators.hasSubscribers();
          });
 }
 
@@ -250,39 +255,13 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
       topics.odometry.publish(toOdometry(topics.body, snapshot, stamp), stamp);
     if (topics.applied_wrench.subscribers())
       topics.applied_wrench.publish(toWrench(topics.body, snapshot, stamp), stamp);
+    if (topics.actuators.hasSubscribers())
+      topics.actuators.publish(toActuators(topics.body, snapshot, stamp), stamp);
   }
 }
 
 void Outputs::setStates(const Snapshot& snapshot, const ros::Time& stamp) {
   setBodyStates(snapshot.world(), listed_, snapshot.bodies(), stamp, states_);
-}
-
-tf2_msgs::TFMessage Outputs::toTransforms(const Snapshot& snapshot, const ros::Time& stamp) const {
-  const std::vector<Body>& bodies = snapshot.world().bodies;
-  const std::vector<BodyState>& states = snapshot.bodies();
-  tf2_msgs::TFMessage message;
-  message.transforms.reserve(moving_.size());
-  for (const std::size_t i : moving_)
-    message.transforms.push_back(
-        toTransform(bodies[i], states[i], world_frame_, frames_.of(i), stamp));
-  return message;
-}
-
-nav_msgs::Odometry Outputs::toOdometry(std::size_t body, const Snapshot& snapshot,
-                                       const ros::Time& stamp) const {
-  nav_msgs::Odometry odometry = rigid_body_sim::toOdometry(
-      snapshot.world().bodies[body], snapshot.bodies()[body], world_frame_, stamp);
-  odometry.child_frame_id = frames_.of(body);
-  odometry.pose.covariance = odometry.twist.covariance = covariance_;
-  return odometry;
-}
-
-geometry_msgs::WrenchStamped Outputs::toWrench(std::size_t body, const Snapshot& snapshot,
-                                               const ros::Time& stamp) const {
-  geometry_msgs::WrenchStamped message = toWrenchStamped(
-      snapshot.world().bodies[body], snapshot.bodies()[body], snapshot.appliedWrench(body), stamp);
-  message.header.frame_id = frames_.of(body);
-  return message;
 }
 
 }  // namespace rigid_body_sim

@@ -21,12 +21,12 @@
 
 namespace rigid_body_sim {
 
-/// What a run publishes, on ROS or into a bag: moving bodies on /tf, <body>/odom and
-/// <body>/applied_wrench, all bodies on ~states, what touches on ~contacts, at the instants
-/// k / publish_rate of simulation time, /clock at k / clock_rate, whether a step ends there or not;
-/// once, latched: fixed bodies and named points on /tf_static, and ~markers. Without subscribers
-/// nothing is computed. Stamps strictly increase while time runs. While it stands, whoever comes is
-/// sent the standing state.
+/// What a run publishes, on ROS or into a bag: moving bodies on /tf, <body>/odom,
+/// <body>/applied_wrench and <body>/actuators, all bodies on ~states, what touches on ~contacts, at
+/// the instants k / publish_rate of simulation time, /clock at k / clock_rate, whether a step ends
+/// there or not; once, latched: fixed bodies and named points on /tf_static, and ~markers. Without
+/// subscribers nothing is computed. Stamps strictly increase while time runs. While it stands,
+/// whoever comes is sent the standing state.
 class Outputs {
  public:
   /// The simulation, that of the scene, and the origin are watched, not copied.
@@ -99,6 +99,8 @@ class Outputs {
                                 const ros::Time& stamp) const;
   geometry_msgs::WrenchStamped toWrench(std::size_t body, const Snapshot& snapshot,
                                         const ros::Time& stamp) const;
+  sensor_msgs::JointState toActuators(std::size_t body, const Snapshot& snapshot,
+                                      const ros::Time& stamp) const;
 
   OutputTopics topics_;
   const Simulation* simulation_;

@@ -29,7 +29,12 @@ class Snapshot {
 
   std::vector<ContactPoint> contacts() const { return contactsOf(world(), state_); }
 
-  /// Sum of the wrenches applied to a body, without gravity.
+  /// What the actuators of a body do, in the order of Body::actuators.
+  std::vector<ActuatorReading> actuators(std::size_t body) const {
+    return readActuators(world().bodies[body], state_, body);
+  }
+
+  /// Sum of the wrenches applied to a body, without gravity, laws and actuators.
   Wrench appliedWrench(std::size_t body) const {
     Wrench sum;
     for (const PointWrench& applied : activeWrenches(body)) addPointWrench(applied, bodies(), sum);

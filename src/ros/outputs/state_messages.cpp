@@ -47,4 +47,19 @@ geometry_msgs::WrenchStamped toWrenchStamped(const Body& body, const BodyState& 
   return message;
 }
 
+sensor_msgs::JointState toJointState(const Body& body, const std::vector<ActuatorReading>& readings,
+                                     const ros::Time& stamp) {
+  sensor_msgs::JointState message;
+  message.header.stamp = stamp;
+  message.header.frame_id = body.name;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const Actuator& actuator = body.actuators[i];
+    const bool is_wheel = std::holds_alternative<Wheel>(actuator.kind);
+    message.name.push_back(actuator.name);
+    message.velocity.push_back(readings[i].speed);
+    message.effort.push_back(is_wheel ? readings[i].torque : readings[i].force);
+  }
+  return message;
+}
+
 }  // namespace rigid_body_sim

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <geometry_msgs/WrenchStamped.h>
+#include <sensor_msgs/JointState.h>
 
 #include <rigid_body_sim/BodyStates.h>
 #include <rigid_body_sim/dynamics/world.hpp>
@@ -30,5 +31,11 @@ BodyStates toBodyStates(const World& world, const State& state, const std::strin
 ///   f_B = R_BP R_WPᵀ f_W,   τ_B = R_BP (R_WPᵀ tau_W + tau_P).
 geometry_msgs::WrenchStamped toWrenchStamped(const Body& body, const BodyState& state,
                                              const Wrench& wrench, const ros::Time& stamp);
+
+/// What the actuators of a body do, in the order of Body::actuators. Velocity: speed of a rotor or
+/// wheel relative to the body, 0 of a thruster. Effort: force of a thruster or rotor, torque of a
+/// wheel's motor on the wheel. No positions.
+sensor_msgs::JointState toJointState(const Body& body, const std::vector<ActuatorReading>& readings,
+                                     const ros::Time& stamp);
 
 }  // namespace rigid_body_sim

@@ -14,6 +14,8 @@ struct Topic {
   /// What a subscriber is sent as soon as it has come; none: nothing but what is published later.
   using Greeting = std::function<std::optional<Message>()>;
 
+  bool hasSubscribers() const { return subscribers && subscribers() > 0; }
+
   std::function<std::size_t()> subscribers;  ///< their number; cheap enough to ask at every tick
   std::function<void(const Message&, const ros::Time& stamp)> publish;
   std::function<void(Greeting)> greetWith{};  ///< from now on; a bag is never greeted

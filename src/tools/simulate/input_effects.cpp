@@ -26,6 +26,10 @@ double endOfEffects(const std::vector<TimedInput>& inputs, double time_step) {
     end = std::max(end, static_cast<double>(timed.step) * time_step);
     const auto* wrench = std::get_if<WrenchInput>(&timed.input);
     if (wrench && std::isfinite(wrench->wrench.end)) end = std::max(end, wrench->wrench.end);
+    const auto* input = std::get_if<CommandInput>(&timed.input);
+    if (!input) continue;
+    end = std::max(end, input->command.start);
+    if (std::isfinite(input->command.end)) end = std::max(end, input->command.end);
   }
   return end;
 }

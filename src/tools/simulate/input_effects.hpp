@@ -17,7 +17,8 @@ struct InputEffects {
 std::vector<InputEffects> effectsOf(const std::vector<TimedInput>& inputs, std::size_t applied,
                                     std::size_t bodies);
 
-/// [s] When all inputs have been applied and their wrenches have ended, as far as they do.
+/// [s] When all inputs have been applied and their wrenches and commands have ended, as far as they
+/// do.
 double endOfEffects(const std::vector<TimedInput>& inputs, double time_step);
 
 }  // namespace rigid_body_sim

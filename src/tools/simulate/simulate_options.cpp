@@ -52,8 +52,8 @@ and momentum were conserved, or what changed them.
                      zero on, or as the recorded run; without ~inputs, and without ~status and
                      /diagnostics, which report wall time
   --wrench-bag FILE  repeats the last run in the recorded topic ~inputs of a node, to the last bit;
-                     from a bag without that topic, applies its wrench messages at their times in
-                     the bag
+                     from a bag without that topic, applies its messages on wrenches and commands at
+                     their times in the bag
   --help             this text
 
 CSV columns: time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz: position of the body frame's origin

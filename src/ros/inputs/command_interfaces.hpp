@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <ros/node_handle.h>
+
+#include "ros/inputs/command_intake.hpp"
+#include "ros/inputs/inputs.hpp"
+#include "ros/inputs/refusals.hpp"
+#include "ros/options/node_options.hpp"
+
+namespace rigid_body_sim {
+
+/// The topics <body>/command of the bodies with actuators. Each message is applied in order of
+/// arrival, by whoever serves the queue of the handle.
+class CommandInterfaces {
+ public:
+  /// Simulation, inputs and refusals are referred to, not copied.
+  CommandInterfaces(const ros::NodeHandle& nh, const Simulation& simulation, Inputs& inputs,
+                    const TimeOrigin& origin, const NodeOptions& options, Refusals& refusals);
+
+  /// Takes in a body of the world: if it has actuators, its topic. Gives it back.
+  void add(std::size_t body);
+  void remove(const std::string& body) { topics_.erase(body); }
+
+ private:
+  void take(std::size_t body, const sensor_msgs::JointState& message);
+
+  ros::NodeHandle nh_;
+  const Simulation& simulation_;
+  Inputs& inputs_;
+  const TimeOrigin& origin_;
+  Refusals& refusals_;
+  CommandIntake intake_;
+  std::map<std::string, ros::Subscriber> topics_;  // by body
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,43 @@
+#include "ros/outputs/outputs.hpp"
+#include "ros/outputs/state_messages.hpp"
+
+/// The messages of Outputs, with the frames and covariances that its options say.
+namespace rigid_body_sim {
+
+tf2_msgs::TFMessage Outputs::toTransforms(const Snapshot& snapshot, const ros::Time& stamp) const {
+  const std::vector<Body>& bodies = snapshot.world().bodies;
+  const std::vector<BodyState>& states = snapshot.bodies();
+  tf2_msgs::TFMessage message;
+  message.transforms.reserve(moving_.size());
+  for (const std::size_t i : moving_)
+    message.transforms.push_back(
+        toTransform(bodies[i], states[i], world_frame_, frames_.of(i), stamp));
+  return message;
+}
+
+nav_msgs::Odometry Outputs::toOdometry(std::size_t body, const Snapshot& snapshot,
+                                       const ros::Time& stamp) const {
+  nav_msgs::Odometry odometry = rigid_body_sim::toOdometry(
+      snapshot.world().bodies[body], snapshot.bodies()[body], world_frame_, stamp);
+  odometry.child_frame_id = frames_.of(body);
+  odometry.pose.covariance = odometry.twist.covariance = covariance_;
+  return odometry;
+}
+
+geometry_msgs::WrenchStamped Outputs::toWrench(std::size_t body, const Snapshot& snapshot,
+                                               const ros::Time& stamp) const {
+  geometry_msgs::WrenchStamped message = toWrenchStamped(
+      snapshot.world().bodies[body], snapshot.bodies()[body], snapshot.appliedWrench(body), stamp);
+  message.header.frame_id = frames_.of(body);
+  return message;
+}
+
+sensor_msgs::JointState Outputs::toActuators(std::size_t body, const Snapshot& snapshot,
+                                             const ros::Time& stamp) const {
+  sensor_msgs::JointState message =
+      toJointState(snapshot.world().bodies[body], snapshot.actuators(body), stamp);
+  message.header.frame_id = frames_.of(body);
+  return message;
+}
+
+}  // namespace rigid_body_sim
