@@ -7,6 +7,7 @@ function(rigid_body_sim_fuzzer name)
   target_link_libraries(${target} PRIVATE ${ARGN} rigid_body_sim_options -fsanitize=fuzzer)
 endfunction()
 
+rigid_body_sim_fuzzer(command rigid_body_sim_ros)
 rigid_body_sim_fuzzer(mesh rigid_body_sim_scene)
 rigid_body_sim_fuzzer(scene rigid_body_sim_scene)
 rigid_body_sim_fuzzer(wrench rigid_body_sim_ros ${CONSOLE_BRIDGE_LIBRARY})
