@@ -187,6 +187,7 @@ TEST_F(Commands, AreRepeatedToTheSameBytesFromARecord) {
     driver.step(3);
   }
   const ros::Time end = driver.step(20);
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return actuators.count(end) > 0; }));
   const std::string recorded = ::testing::TempDir() + "commands_recorded.bag";
   const std::string repeated = ::testing::TempDir() + "commands_repeated.bag";
   {
