@@ -10,6 +10,7 @@
 #include "mass/oriented_shells.hpp"
 #include "mass/shells.hpp"
 #include "mass/welded_vertices.hpp"
+#include "math/shortest.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -23,7 +24,7 @@ std::string vertexFault(const std::vector<Vector3d>& vertices) {
   }
   for (const Vector3d& v : vertices) {
     if (v.allFinite()) continue;
-    fault << "mesh vertices must be finite, got [" << v.transpose() << "] for vertex "
+    fault << "mesh vertices must be finite, got " << shortest(v) << " for vertex "
           << &v - vertices.data();
     break;
   }
@@ -59,9 +60,8 @@ std::string volumeFault(const TriangleMesh& mesh) {
   const double mesh_volume = volume(mesh), mesh_area = surfaceArea(mesh);
   if (mesh_volume > 0 && !isFlat(mesh_volume, mesh_area, diameter(mesh.vertices))) return {};
   std::ostringstream fault;
-  fault.precision(17);
-  fault << "mesh must enclose a volume, got " << mesh_volume << " m^3 within a surface of "
-        << mesh_area << " m^2";
+  fault << "mesh must enclose a volume, got " << shortest(mesh_volume)
+        << " m^3 within a surface of " << shortest(mesh_area) << " m^2";
   return fault.str();
 }
 

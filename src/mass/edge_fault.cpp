@@ -4,6 +4,8 @@
 #include <optional>
 #include <sstream>
 
+#include "math/shortest.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -47,11 +49,8 @@ Survey survey(const EdgeUses& edges) {
 }
 
 std::string placeOf(const TriangleMesh& mesh, const Offenders& offenders) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "from [" << mesh.vertices[offenders.first->lower].transpose() << "] to ["
-       << mesh.vertices[offenders.first->upper].transpose() << "] m";
-  return text.str();
+  return "from " + shortest(mesh.vertices[offenders.first->lower]) + " to " +
+         shortest(mesh.vertices[offenders.first->upper]) + " m";
 }
 
 }  // namespace
@@ -59,7 +58,6 @@ std::string placeOf(const TriangleMesh& mesh, const Offenders& offenders) {
 EdgeFault edgeFault(const TriangleMesh& mesh, const EdgeUses& edges) {
   const Survey found = survey(edges);
   std::ostringstream fault;
-  fault.precision(17);
   if (found.open.edges > 0)
     fault << "mesh must be closed, got " << found.open.edges << " open edges, the first "
           << placeOf(mesh, found.open);
@@ -73,8 +71,8 @@ EdgeFault edgeFault(const TriangleMesh& mesh, const EdgeUses& edges) {
           << placeOf(mesh, found.one_way);
   else if (found.shared)
     if (const auto corner = cornerOfDoubled(mesh.triangles))
-      fault << "mesh triangles must differ, got one twice, with a corner at ["
-            << mesh.vertices[*corner].transpose() << "] m";
+      fault << "mesh triangles must differ, got one twice, with a corner at "
+            << shortest(mesh.vertices[*corner]) << " m";
   return {fault.str(), found.open.edges};
 }
 

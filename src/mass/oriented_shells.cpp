@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mass/shell_nesting.hpp"
+#include "math/shortest.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -16,17 +17,13 @@ std::vector<std::string> orientWhole(TriangleMesh& mesh) {
   if (!(mesh_volume < 0)) return {};
   for (Triangle& t : mesh.triangles) turn(t);
   std::ostringstream notice;
-  notice.precision(17);
-  notice << "mesh is oriented inwards (volume " << mesh_volume << " m^3): its "
+  notice << "mesh is oriented inwards (volume " << shortest(mesh_volume) << " m^3): its "
          << mesh.triangles.size() << " triangles are turned around";
   return {notice.str()};
 }
 
 std::string placeOf(const Shell& shell) {
-  std::ostringstream text;
-  text << "from [" << shell.box.min().transpose() << "] to [" << shell.box.max().transpose()
-       << "] m";
-  return text.str();
+  return "from " + shortest(shell.box.min()) + " to " + shortest(shell.box.max()) + " m";
 }
 
 /// The outermost shell around a shell, or itself. Each is larger than the one before: this ends.

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <string>
 
+#include <rigid_body_sim/math/types.hpp>
+
 namespace rigid_body_sim {
 
 /// The number in the fewest digits that read back as the same double, whatever the locale.
@@ -22,6 +24,11 @@ inline std::string shortest(double x) {
     if (in >> back && back == x) break;
   }
   return text;
+}
+
+/// "[x y z]", each in the fewest digits.
+inline std::string shortest(const Vector3d& v) {
+  return "[" + shortest(v.x()) + " " + shortest(v.y()) + " " + shortest(v.z()) + "]";
 }
 
 }  // namespace rigid_body_sim

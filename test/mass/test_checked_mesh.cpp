@@ -64,12 +64,19 @@ TEST(CheckedMesh, DropsTrianglesThatHaveShrunkToAnEdgeOrAPoint) {
             "mesh must have a triangle with three different corners, got 0 of 1");
 }
 
+TEST(CheckedMesh, NamesPlacesInTheFewestDigits) {
+  TriangleMesh mesh = cube();
+  mesh.triangles.erase(mesh.triangles.begin());
+  for (Vector3d& v : mesh.vertices) v *= 0.2;
+  EXPECT_THAT(checkedMesh(mesh).fault, HasSubstr("from [0.1 -0.1 -0.1] to [-0.1 0.1 -0.1] m"));
+}
+
 TEST(CheckedMesh, NamesOpenEdges) {
   TriangleMesh mesh = cube();
   mesh.triangles.erase(mesh.triangles.begin());  // corners 0, 2, 1
   EXPECT_EQ(checkedMesh(mesh).fault,
-            "mesh must be closed, got 3 open edges, the first from [ 0.5 -0.5 -0.5] to "
-            "[-0.5  0.5 -0.5] m");
+            "mesh must be closed, got 3 open edges, the first from [0.5 -0.5 -0.5] to "
+            "[-0.5 0.5 -0.5] m");
   EXPECT_THAT(checkedMesh({mesh.vertices, {{0, 1, 2}}}).fault,
               StartsWith("mesh must be closed, got 3 open edges"));
 }
@@ -79,7 +86,7 @@ TEST(CheckedMesh, NamesEdgesThatAreUsedThrice) {
   mesh.triangles.push_back(mesh.triangles.front());  // doubled: three edges, three triangles each
   EXPECT_EQ(checkedMesh(mesh).fault,
             "mesh edges must have as many triangles on one side as on the other, got 3 that have "
-            "not, the first with 3 triangles from [-0.5 -0.5 -0.5] to [-0.5  0.5 -0.5] m");
+            "not, the first with 3 triangles from [-0.5 -0.5 -0.5] to [-0.5 0.5 -0.5] m");
 }
 
 // Its edges would pass, and its mass be twice as great.
@@ -150,7 +157,7 @@ TEST(CheckedMesh, NamesEntriesThatAreNoMesh) {
   mesh = cube();
   mesh.vertices[3].y() = std::numeric_limits<double>::infinity();
   EXPECT_EQ(checkedMesh(mesh).fault,
-            "mesh vertices must be finite, got [ 0.5  inf -0.5] for vertex 3");
+            "mesh vertices must be finite, got [0.5 inf -0.5] for vertex 3");
   mesh.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(checkedMesh(mesh).fault, StartsWith("mesh vertices must be finite"));
   EXPECT_THAT(checkedMesh(scaled(1e120, cube())).fault, StartsWith("mesh must enclose a volume"));

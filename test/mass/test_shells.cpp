@@ -38,7 +38,7 @@ TEST(Shells, AreTurnedOutwardsOneByOne) {
     const CheckedMesh checked = checkedMesh(pair);
     EXPECT_EQ(checked.fault, "");
     EXPECT_THAT(checked.notices,
-                ElementsAre("mesh has 1 of 2 shells oriented inwards, the first from [ 2.8 -0.2 "
+                ElementsAre("mesh has 1 of 2 shells oriented inwards, the first from [2.8 -0.2 "
                             "-0.2] to [3.2 0.2 0.2] m: their 12 triangles are turned around"));
     EXPECT_TRUE(sameMass(massProperties(checked.mesh, 1),
                          massProperties(together(cube(), small), 1), 1e-14));

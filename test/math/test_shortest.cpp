@@ -17,6 +17,10 @@ TEST(Shortest, WritesNoDigitsThatNobodyTyped) {
   EXPECT_EQ(shortest(std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
+TEST(Shortest, WritesAVectorWithoutPadding) {
+  EXPECT_EQ(shortest(Vector3d(0.1, -2, 1e-9)), "[0.1 -2 1e-09]");
+}
+
 TEST(Shortest, ReadsBackAsTheSameNumber) {
   std::mt19937_64 bits(5);
   for (int i = 0; i < 10000; ++i) {

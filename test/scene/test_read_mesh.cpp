@@ -182,7 +182,7 @@ TEST_F(ReadMesh, TellsTheCoordinatesThatAreNotFinite) {
   const float infinite = std::numeric_limits<float>::infinity();
   std::memcpy(&content[84 + 50 + 12 + 4], &infinite, 4);  // second triangle, first corner, y
   EXPECT_EQ(refusal(written("wrong.stl", content)),
-            "mesh vertices must be finite, got [  2.5   inf -1.25]");
+            "mesh vertices must be finite, got [2.5 inf -1.25]");
 }
 
 TEST_F(ReadMesh, RefusesFilesWithoutTriangles) {

@@ -46,7 +46,7 @@ void takeControlledStep(const Method& method, const System& system, double h, Sy
     states = start;
   }
   std::ostringstream reason;
-  reason << method.name << " cannot follow the motion, even in " << kMaxParts << " parts of a step";
+  reason << method.name << " cannot follow the motion, even in " << kMaxParts << " substeps";
   throw StepTooLong(reason.str());
 }
 

@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "math/shortest.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -17,10 +18,7 @@ void require(bool holds, const std::string& rule) {
 /// "time_step must be > 0 s, got -0.01"
 void require(bool holds, const std::string& rule, double got) {
   if (holds) return;
-  std::ostringstream text;
-  text.precision(17);
-  text << rule << ", got " << got;
-  throw std::invalid_argument(text.str());
+  throw std::invalid_argument(rule + ", got " + shortest(got));
 }
 
 bool isPositive(double x) { return x > 0 && std::isfinite(x); }

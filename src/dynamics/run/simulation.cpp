@@ -1,19 +1,16 @@
-#include <sstream>
 #include <utility>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
 #include "dynamics/run/check_input.hpp"
 #include "dynamics/run/parts.hpp"
+#include "math/shortest.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 std::string divergedMessage(double time, const std::string& body, const std::string& quantity) {
-  std::ostringstream message;
-  message.precision(17);
-  message << "t = " << time << " s: body '" << body << "': " << quantity;
-  return message.str();
+  return "t = " + shortest(time) + " s: body '" + body + "': " + quantity;
 }
 
 /// World and state, checked.

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "math/shortest.hpp"
 #include "ros/inputs/input_messages.hpp"
 
 namespace rigid_body_sim {
@@ -39,9 +40,8 @@ void requireStepOf(const World& world, const Input& message) {
   const double time = static_cast<double>(message.step) * world.solver.time_step;
   if (message.time == time) return;
   std::ostringstream text;
-  text.precision(17);
-  text << "was taken over after step " << message.step << " at " << message.time
-       << " s, which is at " << time << " s in this scene: another time_step";
+  text << "was taken over after step " << message.step << " at " << shortest(message.time)
+       << " s, which is at " << shortest(time) << " s in this scene: another time_step";
   throw std::invalid_argument(text.str());
 }
 

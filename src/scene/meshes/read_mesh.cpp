@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "math/shortest.hpp"
 #include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/meshes/read_dae.hpp"
@@ -38,9 +38,7 @@ std::string meshFault(const TriangleMesh& mesh) {
   const auto bad = std::find_if(mesh.vertices.begin(), mesh.vertices.end(),
                                 [](const Vector3d& v) { return !v.allFinite(); });
   if (bad == mesh.vertices.end()) return "";
-  std::ostringstream fault;
-  fault << "mesh vertices must be finite, got [" << bad->transpose() << "]";
-  return fault.str();
+  return "mesh vertices must be finite, got " + shortest(*bad);
 }
 
 void applyScale(const Vector3d& scale, FileMesh& read) {

@@ -39,6 +39,11 @@ TEST(Simulation, SamplesBetweenStepsWithoutDisturbingTheRun) {
   }
 }
 
+TEST(SimulationDiverged, TellsItsTimeInTheFewestDigits) {
+  EXPECT_STREQ(SimulationDiverged(1.11, "box", "it spins too fast").what(),
+               "t = 1.11 s: body 'box': it spins too fast");
+}
+
 TEST(Simulation, StopsAtTheLastFiniteStateAndNamesTheBody) {
   Bench bench = restingBox();
   Simulation sim = bench.simulation("strang", 1.0);
