@@ -64,6 +64,7 @@ struct Workspace {
   std::vector<Wrench> wrenches;  ///< at the present states, if wrenches_current
   bool wrenches_current = false;
   std::int64_t evaluations = 0;  ///< of all wrenches, since the workspace was made
+  std::int64_t rough_steps = 0;  ///< since then: those whose estimate hardly fell by halving them
   SystemState stages;
   std::vector<BodyStateDot> dots;
   std::vector<double> law_dots;

@@ -34,6 +34,7 @@ class Group {
   const MethodChoice& choice() const { return stepper_ ? stepper_->choice() : solved_choice_; }
   int maxSubsteps() const { return stepper_ ? stepper_->maxSubsteps() : 1; }
   std::int64_t evaluations() const { return stepper_ ? stepper_->evaluations() : 0; }
+  std::int64_t roughSteps() const { return stepper_ ? stepper_->roughSteps() : 0; }
   double substepsNeeded(double h) const { return stepper_->substepsNeeded(system_, h, present_); }
 
   /// [s] First time at which the group must be advanced; −∞ if its motion is not solved yet.

@@ -16,8 +16,9 @@ using Track = std::vector<std::vector<BodyState>>;
 
 struct TrialRun {
   Track track;
-  int substeps;  ///< in which steps were taken: as many as asked for, or as it took
-  double cost;   ///< of a step, counted in what was evaluated; Method::cost is its unit
+  int substeps;              ///< in which steps were taken: as many as asked for, or as it took
+  double cost;               ///< of a step, counted in what was evaluated; Method::cost is its unit
+  std::int64_t rough_steps;  ///< see Workspace
 };
 
 /// A trial of every integrator from the same start.
@@ -75,6 +76,7 @@ class Trial {
     run.substeps = std::max(substeps, group.maxSubsteps());
     run.cost =
         method.cost * static_cast<double>(group.evaluations()) / (method.evaluations * steps_);
+    run.rough_steps = group.roughSteps();
     return run;
   }
 
@@ -158,10 +160,15 @@ std::optional<Truth> truthOf(const Trial& trial) {
   int last_substeps = 1;
   double last_cost = 0;
   double last_error = std::numeric_limits<double>::infinity();
+  std::int64_t last_rough_steps = std::numeric_limits<std::int64_t>::max();
   for (int substeps = 1; substeps <= trial.maxSubsteps(); substeps *= 2) {
     std::optional<TrialRun> run = trial.run(dop853, substeps);
     if (run) substeps = run->substeps;
     // a step that divides itself would only agree with itself
+    const std::int64_t rough_steps = run ? run->rough_steps : 0;
+    if (rough_steps >= last_rough_steps) return std::nullopt;  // forces jump
+    if (rough_steps > 0) last_rough_steps = rough_steps;
+    if (rough_steps > 0) run.reset();
     const bool shorter = run && run->cost > 1.9 * last_cost;
     if (shorter && last) {
       const double error = trial.error(*last, run->track);

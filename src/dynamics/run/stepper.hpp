@@ -30,6 +30,9 @@ class Stepper {
   /// Evaluations of all wrenches so far.
   std::int64_t evaluations() const { return workspace_.evaluations; }
 
+  /// Steps so far within which a force jumped, or nearly so: see Workspace::rough_steps.
+  std::int64_t roughSteps() const { return workspace_.rough_steps; }
+
   /// To be called when the motion is no longer the one on which the choice was tried: falls back to
   /// dop853 controlled by its own error estimates.
   void fallBackToErrorControl();
