@@ -8,16 +8,16 @@
 #include "support/worlds.hpp"
 #include "tools/trade/cpu_time.hpp"
 
-// Where the rows for conservative motion earn their place: the energy error against the processor
+// Where the integrators for conservative motion earn their place: the energy error against the processor
 // time that it takes, for a body that swings on a spring, and for one held in a net of 64 springs,
-// where evaluations are dear. A row is tried at ever shorter steps, until they no longer gain; `*`
-// marks what no other setting reaches in as little time.
+// where evaluations are dear. An integrator is tried at ever shorter steps, until they no longer
+// gain; `*` marks what no other setting reaches in as little time.
 
 namespace rigid_body_sim {
 namespace {
 
 struct Measured {
-  std::string row;
+  std::string integrator;
   double step;     // [s]
   double error;    // of energy, relative to the kinetic energy at the start
   double seconds;  // of processor time
@@ -48,8 +48,8 @@ test::Bench bodyInANet() {
 }
 
 /// The greatest error of energy, relative to the kinetic energy at the start.
-Measured energyRun(const test::Bench& bench, const char* row, double duration, double step) {
-  Simulation simulation = bench.simulation(row, step);
+Measured energyRun(const test::Bench& bench, const char* integrator, double duration, double step) {
+  Simulation simulation = bench.simulation(integrator, step);
   const double E_0 = mechanicalEnergy(bench.world, bench.initial);
   const double T_0 = kineticEnergy(bench.world.bodies[0], bench.initial.bodies[0]);
   const auto steps = static_cast<std::int64_t>(duration / step);
@@ -62,20 +62,20 @@ Measured energyRun(const test::Bench& bench, const char* row, double duration, d
     worst =
         std::max(worst, std::abs(mechanicalEnergy(bench.world, simulation.state()) - E_0) / T_0);
   }
-  return {row, step, worst, seconds};
+  return {integrator, step, worst, seconds};
 }
 
-/// Every row at steps from the longest on, each 0.7 of the one before.
+/// Every integrator at steps from the longest on, each 0.7 of the one before.
 void compare(const char* title, const test::Bench& bench, double duration, double longest) {
   constexpr double kLeastError = 1e-13, kLongestRun = 4;  // [1], [s]
   std::vector<Measured> all;
-  for (const Method& row : catalogue()) {
-    if (!row.supports(kCoupling)) continue;
+  for (const Method& method : catalogue()) {
+    if (!method.supports(kCoupling)) continue;
     double best = 1;
     int worse = 0;
     for (double step = longest; worse < 3 && best > kLeastError; step *= 0.7) {
       try {
-        all.push_back(energyRun(bench, row.name, duration, step));
+        all.push_back(energyRun(bench, method.name, duration, step));
       } catch (const SimulationDiverged&) {
         continue;
       }
@@ -84,17 +84,18 @@ void compare(const char* title, const test::Bench& bench, double duration, doubl
       best = std::min(best, all.back().error);
     }
   }
-  std::printf("\n%s\n%-20s %10s %10s %12s\n", title, "row", "step [s]", "error", "time [ms]");
+  std::printf("\n%s\n%-20s %10s %10s %12s\n", title, "integrator", "step [s]", "error",
+              "time [ms]");
   for (const Measured& m : all) {
     const bool front = std::none_of(all.begin(), all.end(), [&](const Measured& other) {
       return other.error <= m.error && other.seconds < m.seconds;
     });
-    std::printf("%-20s %10.3g %10.1e %12.2f %s\n", m.row.c_str(), m.step, m.error, 1e3 * m.seconds,
+    std::printf("%-20s %10.3g %10.1e %12.2f %s\n", m.integrator.c_str(), m.step, m.error, 1e3 * m.seconds,
                 front ? "*" : "");
   }
 }
 
-void compareRows() {
+void compareIntegrators() {
   constexpr double kLong = 1000, kShort = 100;  // [s]
   compare("a body that swings on a spring for 1000 s", swingingBody(), kLong, 0.08);
   compare("a body in a net of 64 springs for 100 s", bodyInANet(), kShort, 0.2);
@@ -103,4 +104,4 @@ void compareRows() {
 }  // namespace
 }  // namespace rigid_body_sim
 
-int main() { rigid_body_sim::compareRows(); }
+int main() { rigid_body_sim::compareIntegrators(); }

@@ -95,14 +95,14 @@ std::vector<Run> autoRuns(const Problem& p) {
   return runs;
 }
 
-std::vector<Run> rowRuns(const Problem& p, const std::string& row) {
+std::vector<Run> runsBy(const Problem& p, const std::string& integrator) {
   constexpr double kLongest = 0.02;  // [s] as for odeint
   constexpr int kCoarse = 1000;  // steps so long are divided, and may cost more than shorter ones
   std::vector<Run> runs;
   for (int steps = 1; steps < 1000000; steps = steps + 1 + steps / 5) {
     try {
       const double h = p.duration / steps;
-      runs.push_back(ourRun(p, label(row, "h", h), worldOf(p, row, h)));
+      runs.push_back(ourRun(p, label(integrator, "h", h), worldOf(p, integrator, h)));
     } catch (const SimulationDiverged&) {
       continue;
     }
@@ -120,7 +120,8 @@ Quaternion4 truthOf(const Problem& problem) {
 
 std::vector<Contender> ourRuns(const Problem& problem) {
   std::vector<Contender> ours{{"auto", autoRuns(problem)}};
-  for (const Method& row : catalogue()) ours.push_back({row.name, rowRuns(problem, row.name)});
+  for (const Method& method : catalogue())
+    ours.push_back({method.name, runsBy(problem, method.name)});
   return ours;
 }
 

@@ -12,7 +12,7 @@ struct Contender {
 /// The attitude at the end, by the exact rotation or Taylor series in long double.
 Quaternion4 truthOf(const Problem& problem);
 
-/// auto, and every row of the catalogue.
+/// auto, and every integrator of the catalogue.
 std::vector<Contender> ourRuns(const Problem& problem);
 
 }  // namespace rigid_body_sim::peers

@@ -113,10 +113,10 @@ std::map<std::string, Measure>& others() {
 }
 
 Cell measure(Cell cell, const test::Bench& bench, const Run& run, const Ends& truth) {
-  const auto other = others().find(cell.row);
+  const auto other = others().find(cell.integrator);
   if (other != others().end()) return other->second(cell, bench, run, truth);
   try {
-    Simulation simulation = bench.simulation(cell.row, run.time_step);
+    Simulation simulation = bench.simulation(cell.integrator, run.time_step);
     for (const MotionPlan& plan : simulation.plans())
       if (!plan.holds) cell.warned = "no integrator holds the scene's tolerance";
     for (int i = 0; i < run.steps; ++i) simulation.step();
@@ -127,12 +127,12 @@ Cell measure(Cell cell, const test::Bench& bench, const Run& run, const Ends& tr
   return cell;
 }
 
-void measureAll(const Cell& cell, const Names& rows, const test::Bench& bench, const Run& run,
-                const Ends& truth, Cells& cells) {
-  for (const std::string& row : rows) {
-    Cell of_row = cell;
-    of_row.row = row;
-    cells.push_back(measure(of_row, bench, run, truth));
+void measureAll(const Cell& cell, const Names& integrators, const test::Bench& bench,
+                const Run& run, const Ends& truth, Cells& cells) {
+  for (const std::string& integrator : integrators) {
+    Cell of_one = cell;
+    of_one.integrator = integrator;
+    cells.push_back(measure(of_one, bench, run, truth));
   }
 }
 

@@ -9,12 +9,12 @@
 
 namespace rigid_body_sim::extremes {
 
-/// One cell of the map of the extremes: what a row of the catalogue makes of a setting. Errors are
-/// those of the worst body at the end of the run.
+/// One cell of the map of the extremes: what an integrator of the catalogue makes of a setting.
+/// Errors are those of the worst body at the end of the run.
 struct Cell {
   std::string section;          ///< such as "spin"
   std::string setting;          ///< what is extreme about it; a number where it is one
-  std::string row;              ///< of the catalogue, or auto
+  std::string integrator;       ///< of the catalogue, or auto
   double attitude = 0;          ///< [rad]
   double position = 0;          ///< relative to the way from start to end; [m] where there is none
   double energy = 0;            ///< kinetic, relative to the reference's
@@ -39,17 +39,17 @@ struct Ends {
   reference::Motions motions;
 };
 
-/// Runs a bench by one row and compares its end with the truth; by what stands among the others
-/// under that name, if any.
+/// Runs a bench by one integrator and compares its end with the truth; by what stands among the
+/// others under that name, if any.
 Cell measure(Cell cell, const test::Bench& bench, const Run& run, const Ends& truth);
 
-/// Those that take the place of a row without being of the catalogue, by name.
+/// Those that take the place of an integrator without being of the catalogue, by name.
 using Measure = std::function<Cell(const Cell&, const test::Bench&, const Run&, const Ends&)>;
 std::map<std::string, Measure>& others();
 
-/// The same by each row.
-void measureAll(const Cell& cell, const Names& rows, const test::Bench& bench, const Run& run,
-                const Ends& truth, Cells& cells);
+/// The same by each integrator.
+void measureAll(const Cell& cell, const Names& integrators, const test::Bench& bench,
+                const Run& run, const Ends& truth, Cells& cells);
 
 /// The errors of a state of a bench against the truth, in long double: energies of motions whose
 /// squares no double holds, too.

@@ -13,30 +13,30 @@
 namespace rigid_body_sim::extremes {
 namespace {
 
-const Names kFreeRows{"auto", "taylor",       "semi_implicit_euler", "strang", "magnus4",
-                      "rk4",  "blanes_moan6", "kahan_li8",           "dop853"};
-const Names kLawRows{"auto", "semi_implicit_euler", "strang",    "magnus4",
-                     "rk4",  "blanes_moan6",        "kahan_li8", "dop853"};
-const Names kFewRows{"auto", "strang", "rk4", "dop853"};
+const Names kFreeIntegrators{"auto", "taylor",       "semi_implicit_euler", "strang", "magnus4",
+                             "rk4",  "blanes_moan6", "kahan_li8",           "dop853"};
+const Names kLawIntegrators{"auto", "semi_implicit_euler", "strang",    "magnus4",
+                            "rk4",  "blanes_moan6",        "kahan_li8", "dop853"};
+const Names kFewIntegrators{"auto", "strang", "rk4", "dop853"};
 
 using Section = std::function<Cells()>;
 
-/// All sections by name; those that name no row run by all that accept what they hold.
+/// All sections by name; those that name no integrator run by all that accept what they hold.
 std::vector<std::pair<std::string, Section>> sections() {
   std::vector<std::pair<std::string, Section>> named;
   const auto add = [&](const std::string& name, const std::function<Cells(const Names&)>& section,
-                       const Names& rows) {
-    named.emplace_back(name, [section, rows] { return section(rows); });
+                       const Names& integrators) {
+    named.emplace_back(name, [section, integrators] { return section(integrators); });
   };
-  for (const auto& [name, section] : oneBodySections()) add(name, section, kFreeRows);
+  for (const auto& [name, section] : oneBodySections()) add(name, section, kFreeIntegrators);
   add(
-      "spring", [](const Names& rows) { return springs(rows); }, kLawRows);
+      "spring", [](const Names& integrators) { return springs(integrators); }, kLawIntegrators);
   named.emplace_back("tolerance", tolerances);
-  named.emplace_back("crowd", [] { return crowds(kFewRows, 100000); });
-  named.emplace_back("schedule", [] { return schedules(kFewRows, 100000); });
+  named.emplace_back("crowd", [] { return crowds(kFewIntegrators, 100000); });
+  named.emplace_back("schedule", [] { return schedules(kFewIntegrators, 100000); });
   named.emplace_back("refused", refusals);
-  for (const std::string& row : kFreeRows)
-    named.emplace_back("growth", [row] { return growth(row, 1000000); });
+  for (const std::string& integrator : kFreeIntegrators)
+    named.emplace_back("growth", [integrator] { return growth(integrator, 1000000); });
   return named;
 }
 
@@ -60,24 +60,24 @@ long residentMemory() {
 }
 
 /// The OSRF box (complex) tumbles for 24 hours at 1 kHz.
-bool printDay(const std::string& row) {
+bool printDay(const std::string& integrator) {
   test::Bench bench = test::complexBox();
   bench.world.g_W.setZero();
-  Simulation simulation = bench.simulation(row, 1e-3);
+  Simulation simulation = bench.simulation(integrator, 1e-3);
   for (int i = 0; i < 1000; ++i) simulation.step();
   const long before = residentMemory();
   Cells cells;
   for (int hour = 1; hour <= 24; ++hour) {
     while (simulation.steps() < hour * 3600000LL) simulation.step();
     if (hour != 1 && hour % 6 != 0) continue;
-    Cell cell{"day", std::to_string(hour), row};
+    Cell cell{"day", std::to_string(hour), integrator};
     compare(bench, simulation.state(), freeEnds(bench, simulation.time(), Truth::closed_form),
             cell);
     cells.push_back(cell);
   }
   const bool complete = print(cells);
-  std::printf("memory,\"%s\",\"%s\",%ld,%ld,0,0,,\n", row.c_str(), row.c_str(), before,
-              residentMemory());
+  std::printf("memory,\"%s\",\"%s\",%ld,%ld,0,0,,\n", integrator.c_str(), integrator.c_str(),
+              before, residentMemory());
   return complete;
 }
 

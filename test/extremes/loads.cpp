@@ -32,7 +32,7 @@ Ends endsUnder(test::Bench bench, const Vector3d& force, const Run& run) {
 
 }  // namespace
 
-Cells masses(const Names& rows) {
+Cells masses(const Names& integrators) {
   Cells cells;
   for (double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
     test::Bench bench = test::pushedBox(kWorld, 0, scale);
@@ -43,64 +43,64 @@ Cells masses(const Names& rows) {
     start.L_W *= scale;
     start.L_P *= scale;
     const Run run{1e-3, 1000};
-    measureAll({"mass", settingText(scale), ""}, rows, bench, run,
+    measureAll({"mass", settingText(scale), ""}, integrators, bench, run,
                referenceEnds(bench, run.duration()), cells);
   }
   return cells;
 }
 
-Cells centralForces(const Names& rows) {
+Cells centralForces(const Names& integrators) {
   Cells cells;
   for (double size : {1e-300, 1e-100, 1.0, 1e100, 1e300}) {
     test::Bench bench = tumblingBody();
     bench.world.wrenches.push_back(worldForce({0, size, 0}));
     const Run run{1e-3, 100};
-    measureAll({"force", settingText(size), ""}, rows, bench, run,
+    measureAll({"force", settingText(size), ""}, integrators, bench, run,
                endsUnder(bench, {0, size, 0}, run), cells);
   }
   return cells;
 }
 
-Cells offCentreForces(const Names& rows, const Sizes& sizes) {
+Cells offCentreForces(const Names& integrators, const Sizes& sizes) {
   Cells cells;
   for (double size : sizes) {
     test::Bench bench = tumblingBody();
     bench.world.wrenches.push_back(worldForce({0, size, 0}, {0.3, -0.1, 0.05}));
     const Run run{1e-3, 100};
-    // beyond, every row stops
+    // beyond, every integrator stops
     const Ends truth = size > 1e5 ? Ends() : referenceEnds(bench, run.duration());
-    measureAll({"lever", settingText(size), ""}, rows, bench, run, truth, cells);
+    measureAll({"lever", settingText(size), ""}, integrators, bench, run, truth, cells);
   }
   return cells;
 }
 
-Cells conflicts(const Names& rows) {
+Cells conflicts(const Names& integrators) {
   Cells cells;
   for (double size : {1e3, 1e20, 1e100, 1e300, 1.5e308}) {
     test::Bench bench = tumblingBody();
     for (double force : {size, 1.0, size / 3, -size, -size / 3})
       bench.world.wrenches.push_back(worldForce({0, force, 0}));
     const Run run{1e-3, 100};
-    measureAll({"conflict", settingText(size), ""}, rows, bench, run,
+    measureAll({"conflict", settingText(size), ""}, integrators, bench, run,
                endsUnder(bench, {0, 1, 0}, run), cells);
   }
   return cells;
 }
 
-Cells arms(const Names& rows) {
+Cells arms(const Names& integrators) {
   Cells cells;
   for (double length : {1.0, 1e3, 1e6, 1e9, 1e12}) {
     test::Bench bench = tumblingBody();
     bench.world.wrenches.push_back(
         worldForce({0, 1 / length, 0}, length * Vector3d(0.3, -0.1, 0.05)));
     const Run run{1e-3, 1000};
-    measureAll({"arm", settingText(length), ""}, rows, bench, run,
+    measureAll({"arm", settingText(length), ""}, integrators, bench, run,
                referenceEnds(bench, run.duration()), cells);
   }
   return cells;
 }
 
-Cells farPulls(const Names& rows) {
+Cells farPulls(const Names& integrators) {
   const auto pulledAt = [](double place) {
     test::Bench bench = tumblingBody();
     bench.initial.bodies[0].x_W = {place, 0, 0};
@@ -114,11 +114,12 @@ Cells farPulls(const Names& rows) {
   const Ends truth = referenceEnds(pulledAt(0), run.duration());
   Cells cells;
   for (double place : {0.0, 1e3, 1e6, 1e9, 1e12})
-    measureAll({"far_pull", settingText(place), ""}, rows, pulledAt(place), run, truth, cells);
+    measureAll({"far_pull", settingText(place), ""}, integrators, pulledAt(place), run, truth,
+               cells);
   return cells;
 }
 
-Cells throughZero(const Names& rows) {
+Cells throughZero(const Names& integrators) {
   Cells cells;
   // the instant at which L is zero, in steps: on a step's end, and within a step
   for (double instant : {500.0, 499.7}) {
@@ -127,13 +128,13 @@ Cells throughZero(const Names& rows) {
     PointWrench brake;
     brake.torque = -bench.initial.bodies[0].L_W / (instant * run.time_step);
     bench.world.wrenches.push_back(brake);
-    measureAll({"through_zero", settingText(instant), ""}, rows, bench, run,
+    measureAll({"through_zero", settingText(instant), ""}, integrators, bench, run,
                referenceEnds(bench, run.duration()), cells);
   }
   return cells;
 }
 
-Cells springs(const Names& rows, const Sizes& sizes) {
+Cells springs(const Names& integrators, const Sizes& sizes) {
   Cells cells;
   for (double stiffness : sizes) {
     test::Bench bench = tumblingBody();
@@ -150,7 +151,7 @@ Cells springs(const Names& rows, const Sizes& sizes) {
     const reference::Real half = std::sin(angle / 2);
     truth.motions[0].x = -2 * half * half * start.cast<reference::Real>();
     truth.motions[0].v = -rate * std::sin(angle) * start.cast<reference::Real>();
-    measureAll({"spring", settingText(stiffness), ""}, rows, bench, run, truth, cells);
+    measureAll({"spring", settingText(stiffness), ""}, integrators, bench, run, truth, cells);
   }
   return cells;
 }
@@ -175,15 +176,15 @@ Cells tolerances() {
     }
     Cell cell{"tolerance", settingText(tolerance), "auto"};
     Cell stepped = measure(cell, linked, run, linked_end);
-    stepped.row = "auto, spring";
+    stepped.integrator = "auto, spring";
     Cell solved = measure(cell, pushed, run, pushed_end);
-    solved.row = "auto, wrench";
+    solved.integrator = "auto, wrench";
     cells.insert(cells.end(), {stepped, solved});
   }
   return cells;
 }
 
-Cells crowds(const Names& rows, std::size_t bodies) {
+Cells crowds(const Names& integrators, std::size_t bodies) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
   test::Bench bench;
@@ -194,7 +195,7 @@ Cells crowds(const Names& rows, std::size_t bodies) {
                              {normal(random), normal(random), normal(random)}));
   const Run run{1e-2, 10};
   Cells cells;
-  measureAll({"crowd", settingText(static_cast<double>(bodies)), ""}, rows, bench, run,
+  measureAll({"crowd", settingText(static_cast<double>(bodies)), ""}, integrators, bench, run,
              freeEnds(bench, run.duration(), Truth::closed_form), cells);
   return cells;
 }

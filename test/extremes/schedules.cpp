@@ -72,7 +72,7 @@ test::Bench scheduled(int entries, double most, const Start& start, const End& e
 
 }  // namespace
 
-Cells schedules(const Names& rows, int entries) {
+Cells schedules(const Names& integrators, int entries) {
   const double share = kDuration / entries;
   const auto quarter = [](int) { return 0.25; };
   const auto three_quarters = [](int) { return 0.75; };
@@ -90,8 +90,8 @@ Cells schedules(const Names& rows, int entries) {
       {"all overlap (a 50th of them)", scheduled(few, 1.0 / few, early, late)}};
   Cells cells;
   for (const auto& [setting, bench] : benches)
-    measureAll({"schedule", setting, ""}, rows, bench, {kDuration / 128, 128}, closedForm(bench),
-               cells);
+    measureAll({"schedule", setting, ""}, integrators, bench, {kDuration / 128, 128},
+               closedForm(bench), cells);
   return cells;
 }
 

@@ -6,8 +6,8 @@
 
 #include "cell.hpp"
 
-/// The sections of the map, one function each; rows: of the catalogue, where the section asks
-/// which.
+/// The sections of the map, one function each; integrators: of the catalogue, where the section
+/// asks which.
 namespace rigid_body_sim::extremes {
 
 using Sizes = std::vector<double>;
@@ -17,33 +17,33 @@ const Sizes kOffCentreForces{1e-300, 1e-100, 1, 1e3, 1e5, 1e20, 1e100, 1e300};  
 const Sizes kStiffnesses{1e-300, 1, 1e6, 1e12, 1e18, 1e300};                     // [N/m]
 
 // free bodies
-Cells needles(const Names& rows);
-Cells plates(const Names& rows);
-Cells nearSpheres(const Names& rows);
-Cells nearlySymmetric(const Names& rows);
-Cells spins(const Names& rows, const Sizes& sizes = kSpins);
-Cells steps(const Names& rows);
-Cells turns(const Names& rows, const Sizes& sizes = kTurns);
-Cells separatrix(const Names& rows);
-Cells positions(const Names& rows);
+Cells needles(const Names& integrators);
+Cells plates(const Names& integrators);
+Cells nearSpheres(const Names& integrators);
+Cells nearlySymmetric(const Names& integrators);
+Cells spins(const Names& integrators, const Sizes& sizes = kSpins);
+Cells steps(const Names& integrators);
+Cells turns(const Names& integrators, const Sizes& sizes = kTurns);
+Cells separatrix(const Names& integrators);
+Cells positions(const Names& integrators);
 
 /// Errors at each power of ten of steps up to the given number.
-Cells growth(const std::string& row, std::int64_t most_steps);
+Cells growth(const std::string& integrator, std::int64_t most_steps);
 
 // bodies under wrenches and laws
-Cells masses(const Names& rows);
-Cells centralForces(const Names& rows);
-Cells offCentreForces(const Names& rows, const Sizes& sizes = kOffCentreForces);
-Cells conflicts(const Names& rows);
-Cells arms(const Names& rows);
-Cells farPulls(const Names& rows);
-Cells throughZero(const Names& rows);
-Cells springs(const Names& rows, const Sizes& sizes = kStiffnesses);
+Cells masses(const Names& integrators);
+Cells centralForces(const Names& integrators);
+Cells offCentreForces(const Names& integrators, const Sizes& sizes = kOffCentreForces);
+Cells conflicts(const Names& integrators);
+Cells arms(const Names& integrators);
+Cells farPulls(const Names& integrators);
+Cells throughZero(const Names& integrators);
+Cells springs(const Names& integrators, const Sizes& sizes = kStiffnesses);
 Cells tolerances();
-Cells crowds(const Names& rows, std::size_t bodies);
-Cells schedules(const Names& rows, int entries);
+Cells crowds(const Names& integrators, std::size_t bodies);
+Cells schedules(const Names& integrators, int entries);
 
-/// Those of one body without laws, in which an engine can take part like any row.
+/// Those of one body without laws, in which an engine can take part like any integrator.
 using NamedSection = std::pair<std::string, std::function<Cells(const Names&)>>;
 std::vector<NamedSection> oneBodySections();
 

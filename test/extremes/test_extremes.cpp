@@ -16,7 +16,7 @@ const Names kStepped{"semi_implicit_euler", "strang", "rk4", "kahan_li8", "dop85
 void expectWithin(double attitude, double rest, const Cells& cells) {
   EXPECT_FALSE(cells.empty());
   for (const Cell& c : cells) {
-    const std::string where = c.section + " " + c.setting + " " + c.row;
+    const std::string where = c.section + " " + c.setting + " " + c.integrator;
     EXPECT_EQ(c.said, "") << where;
     EXPECT_LE(c.attitude, attitude) << where;
     EXPECT_LE(c.position, rest) << where;
@@ -43,7 +43,7 @@ void expectSaid(const std::string& message, const Cells& cells) {
   EXPECT_FALSE(cells.empty());
   for (const Cell& c : cells)
     EXPECT_NE(c.said.find(message), std::string::npos)
-        << c.section << " " << c.setting << " " << c.row << ": '" << c.said << "'";
+        << c.section << " " << c.setting << " " << c.integrator << ": '" << c.said << "'";
 }
 
 TEST(Extremes, OfShapeCostAutoNothing) {
@@ -101,9 +101,9 @@ TEST(Extremes, OfNumberLeaveEachBodyAlone) { expectWithin(1e-14, 5e-15, crowds(k
 
 TEST(Extremes, OfToleranceAreHeld) {
   for (const Cell& c : tolerances()) {
-    EXPECT_EQ(c.said, "") << c.row;
+    EXPECT_EQ(c.said, "") << c.integrator;
     // what rounding leaves where less is asked for
-    EXPECT_LE(c.attitude, std::stod(c.setting) + 1e-14) << c.row << " " << c.setting;
+    EXPECT_LE(c.attitude, std::stod(c.setting) + 1e-14) << c.integrator << " " << c.setting;
   }
 }
 
@@ -141,7 +141,7 @@ TEST(Extremes, OfStiffnessStopTheRunWithAMessageOrWarn) {
   const Cells stiff = springs({"strang", "dop853"}, {1e18, 1e300});
   expectSaid("t = 0 s: body 'body': a step spans 1e+06 rad", of("1e+18", stiff));
   expectSaid("t = 0 s: body 'body': a step spans 1e+147 rad", of("1e+300", stiff));
-  // the trial cannot afford a truth to hold its rows against
+  // the trial cannot afford a truth to hold its integrators against
   EXPECT_EQ(springs(kAuto, {1e12})[0].warned, "no integrator holds the scene's tolerance");
 }
 
@@ -161,7 +161,8 @@ TEST(Extremes, LeaveNoRowSpeechless) {
         springs(kStepped, {1e-300, 1e6, 1e300})})
     cells.insert(cells.end(), more.begin(), more.end());
   for (const Cell& c : cells)
-    EXPECT_TRUE(c.finite() || !c.said.empty()) << c.section << " " << c.setting << " " << c.row;
+    EXPECT_TRUE(c.finite() || !c.said.empty())
+        << c.section << " " << c.setting << " " << c.integrator;
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ inline unsigned needsOf(const Case& c) {
   return needs;
 }
 
-/// The cases that a row accepts.
+/// The cases that an integrator accepts.
 inline std::vector<Case> casesFor(const Method& method) {
   std::vector<Case> accepted;
   for (const Case& c : allCases())

@@ -19,21 +19,21 @@ inline Patience hasty(const World& world) {
   return {kBriefly, kSteps * methodNamed("semi_implicit_euler").cost * movingBodies(world)};
 }
 
-/// Every row that takes the world, over its ladder; auto, which is not a row, left out.
+/// Every integrator that takes the world, over its ladder; auto, which chooses one, left out.
 inline std::vector<Setting> ladders(const World& world, const State& initial,
                                     const Reference& reference) {
   const Patience patience = hasty(world);
   std::vector<Setting> settings;
-  for (const std::string& row : integratorsFor(world, initial))
-    if (row != "auto")
+  for (const std::string& integrator : integratorsFor(world, initial))
+    if (integrator != "auto")
       climbLadder(
-          world, reference, row, [&](const Setting& s) { settings.push_back(s); }, patience);
+          world, reference, integrator, [&](const Setting& s) { settings.push_back(s); }, patience);
   return settings;
 }
 
 /// In the unit of Method::cost.
-inline double countedCost(const Method& row, std::int64_t evaluations) {
-  return row.cost * static_cast<double>(evaluations) / row.evaluations;
+inline double countedCost(const Method& method, std::int64_t evaluations) {
+  return method.cost * static_cast<double>(evaluations) / method.evaluations;
 }
 
 /// The least counted cost of those in steps of at most time_step that stay within the tolerance.

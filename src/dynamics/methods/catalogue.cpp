@@ -16,7 +16,7 @@ const std::vector<Method>& catalogue() {
   constexpr unsigned kAll = kUndamped | kDamping;
   constexpr unsigned kMotors = kThrust | kSpin;
   // clang-format off
-  static const std::vector<Method> rows{
+  static const std::vector<Method> methods{
       // name               order free eval turn  cost  claims           accepts  step
       {"semi_implicit_euler", 1, 1,  1, 0.8,  0.9, kKeepsFreeL,          kAll | kThrust,    semiImplicitEulerStep},
       {"strang",              2, 2,  1, 0.8,  1,   kGeometric, kUndamped | kThrust, strangStep},
@@ -28,13 +28,13 @@ const std::vector<Method>& catalogue() {
       {"taylor",             16, 16, 1, kAnyTurn, 2.1, kSolves | kKeepsFreeL, kMotors,    taylorStep},
   };
   // clang-format on
-  return rows;
+  return methods;
 }
 
 std::string methodsThatSupport(unsigned needs) {
   std::string names;
-  for (const Method& row : catalogue())
-    if (row.supports(needs)) names += (names.empty() ? "" : ", ") + std::string(row.name);
+  for (const Method& method : catalogue())
+    if (method.supports(needs)) names += (names.empty() ? "" : ", ") + std::string(method.name);
   return names;
 }
 
@@ -55,9 +55,9 @@ void requireSupport(const Method& method, unsigned needs, const std::string& bod
 
 const Method& methodNamed(const std::string& name) {
   std::string known;
-  for (const Method& row : catalogue()) {
-    if (name == row.name) return row;
-    known += std::string(known.empty() ? "" : ", ") + row.name;
+  for (const Method& method : catalogue()) {
+    if (name == method.name) return method;
+    known += std::string(known.empty() ? "" : ", ") + method.name;
   }
   throw std::invalid_argument("integrator must be one of auto, " + known + ", got '" + name + "'");
 }

@@ -62,7 +62,7 @@ std::vector<CommandDef> readCommands(const Entry& value) {
   return commands;
 }
 
-/// auto, or a row of the catalogue.
+/// auto, or an integrator of the catalogue.
 std::string readIntegrator(const Entry& value) {
   std::string name = readText(value);
   try {

@@ -32,23 +32,24 @@ TEST(DampedOscillator, FollowsItsClosedForm) {
   EXPECT_NEAR(bench.run("auto", t, 400).bodies[0].x_W.x(), x, 2e-9);
 }
 
-/// The rows that take drag, and auto.
-std::vector<std::string> rowsWithDrag() {
+/// The integrators that take drag, and auto.
+std::vector<std::string> integratorsWithDrag() {
   std::vector<std::string> names{"auto"};
-  for (const Method& row : catalogue())
-    if (row.supports(kDrag)) names.push_back(row.name);
+  for (const Method& method : catalogue())
+    if (method.supports(kDrag)) names.push_back(method.name);
   return names;
 }
 
-// Within e^(−20) of it after 20 times m/c; exact for every row, since the rate is zero there.
-TEST(Drag, LetsEveryRowFallAtTheTerminalVelocity) {
+// Within e^(−20) of it after 20 times m/c; exact for every integrator, since the rate is zero
+// there.
+TEST(Drag, LetsEveryIntegratorFallAtTheTerminalVelocity) {
   const double g = 9.81, m = 1;
-  for (const std::string& row : rowsWithDrag()) {
+  for (const std::string& integrator : integratorsWithDrag()) {
     Bench linear = test::thrown({2, 0, 0}), quadratic = test::thrown({0, 0.5, 0});
-    const Vector3d v_linear = linear.run(row, 10, 500).bodies[0].p_W / m;
-    EXPECT_LE((v_linear - Vector3d(0, 0, -g * m / 2)).norm(), 1e-7) << row;
-    const Vector3d v_quadratic = quadratic.run(row, 20, 1000).bodies[0].p_W / m;
-    EXPECT_LE((v_quadratic - Vector3d(0, 0, -std::sqrt(g * m / 0.5))).norm(), 1e-9) << row;
+    const Vector3d v_linear = linear.run(integrator, 10, 500).bodies[0].p_W / m;
+    EXPECT_LE((v_linear - Vector3d(0, 0, -g * m / 2)).norm(), 1e-7) << integrator;
+    const Vector3d v_quadratic = quadratic.run(integrator, 20, 1000).bodies[0].p_W / m;
+    EXPECT_LE((v_quadratic - Vector3d(0, 0, -std::sqrt(g * m / 0.5))).norm(), 1e-9) << integrator;
   }
 }
 
@@ -71,12 +72,13 @@ TEST(Drag, LetsTheSpinOfABallDecayExponentially) {
   const Vector3d w(1, -2, 3);
   bench.add(principalBody("ball", 1, {0.4, 0.4, 0.4}), tumbling(Vector3d::Zero(), w));
   bench.addDrag(0, {0, 0, 0.2});
-  for (const std::string& row : rowsWithDrag()) {
-    const BodyState end = bench.run(row, 5, 500).bodies[0];
+  for (const std::string& integrator : integratorsWithDrag()) {
+    const BodyState end = bench.run(integrator, 5, 500).bodies[0];
     const Vector3d expected = 0.4 * std::exp(-0.2 * 5 / 0.4) * w;
-    EXPECT_LE((end.L_P - expected).norm(), row == "rk4" ? 1e-8 : 1e-9) << row;
-    if (row != "auto" && row != "rk4" && row != "dop853") {  // made of impulses
-      EXPECT_LE((end.L_P - expected).norm(), 1e-13) << row;
+    EXPECT_LE((end.L_P - expected).norm(), integrator == "rk4" ? 1e-8 : 1e-9) << integrator;
+    if (integrator != "auto" && integrator != "rk4" &&
+        integrator != "dop853") {  // made of impulses
+      EXPECT_LE((end.L_P - expected).norm(), 1e-13) << integrator;
     }
   }
 }
@@ -101,13 +103,13 @@ TEST(KeplerOrbit, KeepsItsInvariantsOverAHundredRevolutions) {
   const double E = mechanicalEnergy(bench.world, bench.initial);
   EXPECT_NEAR(E, -0.5 * mu * m, 1e-15);  // a = 1
   EXPECT_NEAR(laplaceVector(start, m, mu).norm(), e, 1e-15);
-  for (const char* row : {"kahan_li8", "blanes_moan6", "dop853"}) {
-    const State end = bench.run(row, 100 * 2 * kPi, 20000);
+  for (const char* integrator : {"kahan_li8", "blanes_moan6", "dop853"}) {
+    const State end = bench.run(integrator, 100 * 2 * kPi, 20000);
     const BodyState& s = end.bodies[0];
-    EXPECT_NEAR(mechanicalEnergy(bench.world, end), E, 1e-10) << row;
-    EXPECT_LE((s.x_W.cross(s.p_W) - start.x_W.cross(start.p_W)).norm(), 1e-10) << row;
-    EXPECT_LE((laplaceVector(s, m, mu) - laplaceVector(start, m, mu)).norm(), 1e-9) << row;
-    EXPECT_LE((s.x_W - start.x_W).norm(), 1e-7) << row;
+    EXPECT_NEAR(mechanicalEnergy(bench.world, end), E, 1e-10) << integrator;
+    EXPECT_LE((s.x_W.cross(s.p_W) - start.x_W.cross(start.p_W)).norm(), 1e-10) << integrator;
+    EXPECT_LE((laplaceVector(s, m, mu) - laplaceVector(start, m, mu)).norm(), 1e-9) << integrator;
+    EXPECT_LE((s.x_W - start.x_W).norm(), 1e-7) << integrator;
   }
 }
 
@@ -177,8 +179,8 @@ TEST(SleepingTop, SleepsAboveItsThresholdAndWakesBelow) {
   EXPECT_GT(greatestTilt(0.95), 0.1);
 }
 
-// An isolated pair, step by step: forces cancel to the bit; angular momentum is kept by the rows
-// whose kicks and drifts each keep it, but for the rounding of 1000 steps.
+// An isolated pair, step by step: forces cancel to the bit; angular momentum is kept by the
+// integrators whose kicks and drifts each keep it, but for the rounding of 1000 steps.
 TEST(SpringPair, KeepsItsMomentum) {
   const auto momentum = [](const State& s) { return Vector3d(s.bodies[0].p_W + s.bodies[1].p_W); };
   const auto angularMomentum = [](const State& s) {
@@ -188,12 +190,13 @@ TEST(SpringPair, KeepsItsMomentum) {
   };
   for (bool damped : {false, true}) {
     const Bench pair = test::springPair(damped ? 1 : 0);
-    for (const Method& row : catalogue()) {
-      if (!row.supports(damped ? kCoupling | kDamping : kCoupling)) continue;
-      const State end = pair.run(row.name, 10, 1000);
-      EXPECT_LE((momentum(end) - momentum(pair.initial)).norm(), 1e-13) << row.name;
-      if (!row.claimsTo(kKeepsFreeL)) continue;
-      EXPECT_LE((angularMomentum(end) - angularMomentum(pair.initial)).norm(), 1e-12) << row.name;
+    for (const Method& method : catalogue()) {
+      if (!method.supports(damped ? kCoupling | kDamping : kCoupling)) continue;
+      const State end = pair.run(method.name, 10, 1000);
+      EXPECT_LE((momentum(end) - momentum(pair.initial)).norm(), 1e-13) << method.name;
+      if (!method.claimsTo(kKeepsFreeL)) continue;
+      EXPECT_LE((angularMomentum(end) - angularMomentum(pair.initial)).norm(), 1e-12)
+          << method.name;
     }
   }
 }

@@ -13,31 +13,31 @@ using test::Bench;
 using test::principalBody;
 using test::tumbling;
 
-std::vector<std::string> rowsThatTake(unsigned needs) {
+std::vector<std::string> integratorsThatTake(unsigned needs) {
   std::vector<std::string> names{"auto"};
-  for (const Method& row : catalogue())
-    if (row.supports(needs)) names.push_back(row.name);
+  for (const Method& method : catalogue())
+    if (method.supports(needs)) names.push_back(method.name);
   return names;
 }
 
 constexpr double kStep = 0.01;  // [s]
 
 /// Auto is to hold its tolerance over the first steps.
-Simulation simulationOf(Bench bench, const std::string& row) {
+Simulation simulationOf(Bench bench, const std::string& integrator) {
   bench.world.solver.horizon = 0.3;
-  return bench.simulation(row, kStep);
+  return bench.simulation(integrator, kStep);
 }
 
 /// Steps for 0.3 s; every state must be finite and no faster than before.
-State slowedDown(const Bench& bench, const std::string& row) {
-  Simulation sim = simulationOf(bench, row);
+State slowedDown(const Bench& bench, const std::string& integrator) {
+  Simulation sim = simulationOf(bench, integrator);
   double v = bench.initial.bodies[0].p_W.norm(), L = bench.initial.bodies[0].L_P.norm();
   for (int i = 0; i < 30; ++i) {
     sim.step();
     const BodyState& s = sim.body(0);
     // to the rounding of a velocity that has come to rest
-    EXPECT_LE(s.p_W.norm(), v * (1 + 1e-12)) << row << " step " << i;
-    EXPECT_LE(s.L_P.norm(), L * (1 + 1e-12)) << row << " step " << i;
+    EXPECT_LE(s.p_W.norm(), v * (1 + 1e-12)) << integrator << " step " << i;
+    EXPECT_LE(s.L_P.norm(), L * (1 + 1e-12)) << integrator << " step " << i;
     v = s.p_W.norm();
     L = s.L_P.norm();
   }
@@ -45,19 +45,19 @@ State slowedDown(const Bench& bench, const std::string& row) {
 }
 
 // c h/m = 300: the body stops after m v/c, within a step's way of its start.
-TEST(StiffDrag, StopsTheBodyUnderEveryRowThatTakesIt) {
+TEST(StiffDrag, StopsTheBodyUnderEveryIntegratorThatTakesIt) {
   constexpr double m = 2, c = 300 * m / kStep;
   const Vector3d v(3, -1, 2), w(1, 2, 3);
-  for (const std::string& row : rowsThatTake(kDrag)) {
+  for (const std::string& integrator : integratorsThatTake(kDrag)) {
     for (const Drag::Coefficients& drag : {Drag::Coefficients{c, 0, c}, {c, c, c}}) {
       Bench bench;
       bench.add(principalBody("body", m, {1, 2, 2.5}), tumbling(v, w));
       bench.addDrag(0, drag);
-      const BodyState end = slowedDown(bench, row).bodies[0];
-      EXPECT_LE(end.p_W.norm(), 1e-15) << row;
-      EXPECT_LE(end.L_P.norm(), 1e-15) << row;
-      EXPECT_LE(end.x_W.norm(), v.norm() * kStep) << row;
-      EXPECT_LE(angleBetween(end.q_WP, Quaterniond::Identity()), w.norm() * kStep) << row;
+      const BodyState end = slowedDown(bench, integrator).bodies[0];
+      EXPECT_LE(end.p_W.norm(), 1e-15) << integrator;
+      EXPECT_LE(end.L_P.norm(), 1e-15) << integrator;
+      EXPECT_LE(end.x_W.norm(), v.norm() * kStep) << integrator;
+      EXPECT_LE(angleBetween(end.q_WP, Quaterniond::Identity()), w.norm() * kStep) << integrator;
     }
   }
 }
@@ -65,18 +65,18 @@ TEST(StiffDrag, StopsTheBodyUnderEveryRowThatTakesIt) {
 // Falling at m g/c or √(m g/c) from the second step on.
 TEST(StiffDrag, LetsTheBodySinkAtItsTerminalVelocity) {
   constexpr double m = 2, c = 300 * m / kStep, g = 9.81;
-  for (const std::string& row : rowsThatTake(kDrag)) {
+  for (const std::string& integrator : integratorsThatTake(kDrag)) {
     for (bool quadratic : {false, true}) {
       Bench bench;
       bench.world.g_W = {0, 0, -g};
       bench.add(principalBody("body", m, {1, 2, 2.5}), BodyFrameMotion());
       bench.addDrag(0, quadratic ? Drag::Coefficients{0, c, 0} : Drag::Coefficients{c, 0, 0});
       const double v = quadratic ? std::sqrt(m * g / c) : m * g / c;
-      Simulation sim = simulationOf(bench, row);
+      Simulation sim = simulationOf(bench, integrator);
       while (sim.steps() < 30) sim.step();
       const BodyState end = sim.body(0);
-      EXPECT_NEAR(end.p_W.z() / m, -v, 1e-9 * v) << row << quadratic;
-      EXPECT_NEAR(end.x_W.z(), -0.3 * v, 2 * kStep * v) << row << quadratic;
+      EXPECT_NEAR(end.p_W.z() / m, -v, 1e-9 * v) << integrator << quadratic;
+      EXPECT_NEAR(end.x_W.z(), -0.3 * v, 2 * kStep * v) << integrator << quadratic;
     }
   }
 }
@@ -93,35 +93,35 @@ Bench stiffSpring(double damping) {
 }
 
 // From a damping ratio of 0.07 to 7; it ends m g/k below the length of rest.
-TEST(StiffSpring, ComesToRestUnderEveryRowThatTakesIt) {
+TEST(StiffSpring, ComesToRestUnderEveryIntegratorThatTakesIt) {
   for (double damping : {2e2, 2e3, 2e4}) {
     const Bench bench = stiffSpring(damping);
     const double E_0 = mechanicalEnergy(bench.world, bench.initial);
-    for (const std::string& row : rowsThatTake(kCoupling | kDamping)) {
-      Simulation sim = simulationOf(bench, row);
+    for (const std::string& integrator : integratorsThatTake(kCoupling | kDamping)) {
+      Simulation sim = simulationOf(bench, integrator);
       for (int i = 0; i < 300; ++i) {
         sim.step();
-        EXPECT_LE(mechanicalEnergy(bench.world, sim.state()), E_0) << row << " " << damping;
+        EXPECT_LE(mechanicalEnergy(bench.world, sim.state()), E_0) << integrator << " " << damping;
       }
       const BodyState end = sim.body(0);
-      EXPECT_NEAR(end.x_W.z(), -1 - 2 * 9.81 / 1e6, 1e-9) << row << " " << damping;
-      EXPECT_LE(end.p_W.norm(), 1e-8) << row << " " << damping;
+      EXPECT_NEAR(end.x_W.z(), -1 - 2 * 9.81 / 1e6, 1e-9) << integrator << " " << damping;
+      EXPECT_LE(end.p_W.norm(), 1e-8) << integrator << " " << damping;
     }
   }
 }
 
 // At 0.8 rad a step the update of first order swings in energy by ωh/2; it must not grow.
-TEST(StiffSpring, KeepsSwingingUnderEveryRowThatTakesIt) {
+TEST(StiffSpring, KeepsSwingingUnderEveryIntegratorThatTakesIt) {
   const Bench bench = stiffSpring(0);
   const double E_rest = -2 * 9.81;  // hanging still, but for the m g/k of its stretch
   const double E_0 = mechanicalEnergy(bench.world, bench.initial) - E_rest;
-  for (const std::string& row : rowsThatTake(kCoupling)) {
-    Simulation sim = simulationOf(bench, row);
+  for (const std::string& integrator : integratorsThatTake(kCoupling)) {
+    Simulation sim = simulationOf(bench, integrator);
     for (int i = 0; i < 300; ++i) sim.step();
     const double E = mechanicalEnergy(bench.world, sim.state()) - E_rest;
-    EXPECT_LT(E, 1.7 * E_0) << row;
-    if (row == "rk4") continue;  // damps by (ωh)⁶/72 a step
-    EXPECT_GT(E, 0.5 * E_0) << row;
+    EXPECT_LT(E, 1.7 * E_0) << integrator;
+    if (integrator == "rk4") continue;  // damps by (ωh)⁶/72 a step
+    EXPECT_GT(E, 0.5 * E_0) << integrator;
   }
 }
 

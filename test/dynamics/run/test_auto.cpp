@@ -16,7 +16,7 @@ using namespace test;  // cases and benches
 
 constexpr double kTolerances[] = {1e-3, 1e-6, 1e-9};
 
-/// A box that hangs still: every row holds any tolerance on it, for as long as it does.
+/// A box that hangs still: every integrator holds any tolerance on it, for as long as it does.
 Bench hangingBox(double damping = 0) {
   Bench bench;
   bench.world.g_W = {0, 0, -10};
@@ -188,7 +188,7 @@ TEST(Auto, TellsTheErrorOfAControlledMotion) {
   EXPECT_LT(sim.errorEstimate().attitude, 1e-6);
 }
 
-TEST(Auto, SolvesWhatCanBeSolvedAndChoosesARowForTheRest) {
+TEST(Auto, SolvesWhatCanBeSolvedAndChoosesAnIntegratorForTheRest) {
   for (Case c : allCases()) {
     c.bench.world.solver.horizon = 2;
     const Simulation sim = c.bench.simulation("auto", 0.01);

@@ -43,7 +43,7 @@ double energyOf(const Simulation& sim) { return mechanicalEnergy(sim.world(), si
 class BalanceOfEveryMethod : public testing::TestWithParam<Method> {};
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, BalanceOfEveryMethod, testing::ValuesIn(catalogue()),
-                         [](const auto& row) { return std::string(row.param.name); });
+                         [](const auto& method) { return std::string(method.param.name); });
 
 // Energies are up to 400 J, momenta 40 N s, angular momenta 400 N m s: ten roundings of each.
 // Events lie inside steps, and the longest step spans many series. The row `taylor` begins anew at
@@ -86,7 +86,7 @@ TEST(Balance, ShowsWhatAStatedToleranceLeavesWhateverTheStep) {
 
 // Of the row's order at least, for conserving and dissipating laws and every kind of wrench.
 // Rounding of up to 1280 steps with some 15 kicks each stays below the floors.
-TEST_P(BalanceOfEveryMethod, ClosesAtTheOrderOfTheRow) {
+TEST_P(BalanceOfEveryMethod, ClosesAtTheOrderOfTheIntegrator) {
   const Method& method = GetParam();
   if (method.claimsTo(kSolves)) GTEST_SKIP() << "has no order, see above";
   for (const Case& c : casesFor(method)) {

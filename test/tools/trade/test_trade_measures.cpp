@@ -32,19 +32,20 @@ void expectWithinAFactorOfTwo(double reported, double truth, const std::string& 
   EXPECT_GE(reported, 0.5 * truth) << what;
 }
 
-/// Compares, for every row, what is reported with the closed form truth(state): the greatest over
-/// the instants of the reference.
+/// Compares, for every integrator, what is reported with the closed form truth(state): the greatest
+/// over the instants of the reference.
 template <class Truth, class Reported>
 void expectTruth(const Bench& bench, double duration, double step, const Truth& truth,
                  const Reported& reported) {
   const Reference reference = computeReference(bench.world, bench.initial, duration);
-  for (const std::string& row : integratorsFor(bench.world, bench.initial)) {
-    const Setting setting = measureSetting(bench.world, reference, row, step, {test::kBriefly, 0});
-    Simulation simulation = bench.simulation(row, step);
+  for (const std::string& integrator : integratorsFor(bench.world, bench.initial)) {
+    const Setting setting =
+        measureSetting(bench.world, reference, integrator, step, {test::kBriefly, 0});
+    Simulation simulation = bench.simulation(integrator, step);
     double worst = 0;
     for (std::size_t k = 1; k < reference.states.size(); ++k)
       worst = std::max(worst, truth(stateAt(simulation, reference.states[k].t)));
-    expectWithinAFactorOfTwo(reported(setting.errors), worst, row);
+    expectWithinAFactorOfTwo(reported(setting.errors), worst, integrator);
   }
 }
 
