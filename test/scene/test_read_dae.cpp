@@ -182,7 +182,11 @@ TEST(ReadDae, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(refusal(replaced(good, "<instance_g", "<scale>1 2</scale><instance_g")),
               HasSubstr("scale: must be 3 numbers, got 2"));
   EXPECT_THAT(refusal(replaced(good, "<COLLADA>", "<COLLADA><asset><unit meter=\"0\"/></asset>")),
-              HasSubstr("unit: meter must be > 0, got 0"));
+              HasSubstr("unit: meter must be one number > 0, got '0'"));
+  const std::string long_unit = "<COLLADA><asset><unit meter=\"1 \n" + std::string(2000, 'x');
+  EXPECT_THAT(
+      refusal(replaced(good, "<COLLADA>", long_unit + "\"/></asset>")),
+      ::testing::AllOf(::testing::Not(HasSubstr("\n")), ::testing::SizeIs(::testing::Lt(200U))));
 }
 
 }  // namespace rigid_body_sim

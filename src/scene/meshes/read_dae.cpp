@@ -9,6 +9,7 @@
 #include "scene/limits.hpp"
 #include "scene/meshes/dae_geometry.hpp"
 #include "scene/meshes/mesh_room.hpp"
+#include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -72,7 +73,8 @@ class SceneReader {
     const std::string text = unit->Attribute("meter");
     WordReader words(text, unit->GetLineNum());
     metres = words.number(words.word());
-    if (!(metres > 0) || !std::isfinite(metres)) failAt(*unit, "meter must be > 0, got " + text);
+    if (!(metres > 0) || !std::isfinite(metres) || !words.word().empty())
+      failAt(*unit, "meter must be one number > 0, got '" + printable(text) + "'");
     return metres;
   }
 
