@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
@@ -14,6 +15,7 @@
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
 #include "tools/common/progress_bar.hpp"
+#include "tools/trade/trade_contact.hpp"
 #include "tools/trade/trade_ladder.hpp"
 #include "tools/trade/trade_options.hpp"
 #include "tools/trade/trade_plot.hpp"
@@ -32,23 +34,28 @@ std::vector<Setting> measureAll(const World& world, const Reference& reference,
   const auto count = static_cast<double>(integrators.size());
   for (std::size_t i = 0; i < integrators.size(); ++i) {
     double done = 0;
-    climbLadder(world, reference, integrators[i], [&](const Setting& setting) {
+    const auto measured = [&](const Setting& setting) {
       csv.write(setting);
       settings.push_back(setting);
       done = std::min(1.0, done + 1 / kUsualLadder);
       bar.show((1 + static_cast<double>(i) + done) / (1 + count));
-    });
+    };
+    if (hasContact(world))
+      climbTolerances(world, reference, measured);
+    else
+      climbLadder(world, reference, integrators[i], measured);
   }
   return settings;
 }
 
-/// By integrators in the order of the catalogue, each by ascending step.
+/// By integrators in the order of the catalogue, each by ascending step and tolerance.
 void sortLadders(std::vector<Setting>& settings) {
   for (auto begin = settings.begin(); begin != settings.end();) {
     const auto end = std::find_if(
         begin, settings.end(), [&](const Setting& s) { return s.integrator != begin->integrator; });
-    std::sort(begin, end,
-              [](const Setting& a, const Setting& b) { return a.time_step < b.time_step; });
+    std::sort(begin, end, [](const Setting& a, const Setting& b) {
+      return std::tie(a.time_step, a.tolerance) < std::tie(b.time_step, b.tolerance);
+    });
     begin = end;
   }
 }
@@ -58,15 +65,12 @@ Trade measureTrade(const TradeOptions& options) {
   const double duration = options.duration.value_or(scene.horizon);
   requireCountable(duration, scene.time_step, "steps");
   const World world = buildWorld(scene);
-  if (hasContact(world))
-    throw std::runtime_error(options.scene +
-                             ": contact cannot be measured: only dop853 advances it, and no second "
-                             "integrator would check the reference; ~status of the node reports "
-                             "the estimated error");
   const State first = initialState(scene, world);
-  const std::vector<std::string> integrators = integratorsFor(world, first);
+  const bool contact = hasContact(world);
+  const std::vector<std::string> integrators =
+      contact ? std::vector<std::string>{"auto"} : integratorsFor(world, first);
   std::filesystem::create_directories(options.out);
-  TradeCsv csv(options.out + "/trade.csv");
+  TradeCsv csv(options.out + "/trade.csv", contact);
   for (const std::string& notice : scene.notices)
     std::fprintf(stderr, "%s\n", noticeLine("trade", notice).c_str());
 
@@ -76,7 +80,8 @@ Trade measureTrade(const TradeOptions& options) {
   trade.scene = options.scene;
   trade.present = world.solver;
   trade.error_budget = options.error_budget.value_or(scene.tolerance);
-  trade.reference = computeReference(world, first, duration);
+  trade.reference = contact ? contactReference(world, first, duration, trade.error_budget)
+                            : computeReference(world, first, duration);
   bar.show(1 / (1 + static_cast<double>(integrators.size())));
   trade.settings = measureAll(world, trade.reference, integrators, csv, bar);
   sortLadders(trade.settings);
@@ -93,7 +98,7 @@ void writeRecommended(const Trade& trade) {
   const Setting* best = recommended(trade);
   if (!best) throw std::runtime_error(trade.scene + ": left as it was");
   if (isPresent(*best, trade.present)) return;
-  print(writeSolver(trade.scene, best->integrator, best->time_step) + "\n");
+  print(writeSolver(trade.scene, best->integrator, best->time_step, best->tolerance) + "\n");
 }
 
 void run(const TradeOptions& options) {

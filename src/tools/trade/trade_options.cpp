@@ -32,7 +32,9 @@ std::string tradeHelp() {
   return R"(usage: trade SCENE [options]
 Measures what accuracy costs on a scene: runs it with every integrator that supports it, over a ladder
 of time steps, against a reference that two independent methods agree on. Prints the table and the
-setting that does the least work within the error budget, as two keys to replace in the scene.
+setting that does the least work within the error budget, as keys to replace in the scene. With
+contact, auto alone advances a scene: it is run over a ladder of tolerances, and the reference is auto
+at 1e-10, of which two runs tell until when the motion can be known at all.
 
   --duration S      simulated time [s]; default: the scene's horizon
   --error-budget X  bound on the attitude error [rad] and on the position error relative to the
@@ -43,7 +45,7 @@ setting that does the least work within the error budget, as two keys to replace
   --help            this text
 
 CSV columns: integrator,time_step,attitude_error,position_error,energy_error,
-angular_momentum_error,cpu_ns_per_sim_s,force_evaluations. Errors are the worst of all bodies and
+angular_momentum_error,cpu_ns_per_sim_s,force_evaluations and, with contact, tolerance. Errors are the worst of all bodies and
 instants: attitude [rad]; position relative to the path; energy of all bodies relative to their
 greatest kinetic energy; angular momentum relative to its greatest. Processor time is that of the
 steps, in nanoseconds per simulated second; evaluations are those of the whole run. Rows are written

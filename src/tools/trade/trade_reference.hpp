@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Reference {
   std::string method;         ///< what computed the states
   std::string check;          ///< what else agrees with them
   Errors doubt;               ///< the greatest differences between the two
+  double known_until = std::numeric_limits<double>::infinity();  ///< [s] of chaotic motions
 };
 
 /// The motion over a duration [s]. Where nothing acts but gravity: the exact rotation in long
@@ -21,7 +23,7 @@ struct Reference {
 /// Taylor series in long double, checked by dop853. Else dop853, checked by kahan_li8 or, where
 /// there is drag or damping, by rk4. Steps are made shorter until the run gains no
 /// more. Throws SimulationDiverged where none of the steps goes through, and StepTooLong.
-/// Not for worlds with contact.
+/// Not for worlds with contact; see contactReference.
 Reference computeReference(const World& world, const State& initial, double duration);
 
 }  // namespace rigid_body_sim

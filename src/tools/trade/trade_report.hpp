@@ -11,8 +11,9 @@ namespace rigid_body_sim {
 /// trade.csv, a row as soon as it is known.
 class TradeCsv {
  public:
-  /// Writes the header. Throws std::runtime_error where the file cannot be written.
-  explicit TradeCsv(const std::string& path);
+  /// Writes the header; tolerances: with a last column for them. Throws std::runtime_error where
+  /// the file cannot be written.
+  TradeCsv(const std::string& path, bool tolerances);
   ~TradeCsv();
   TradeCsv(const TradeCsv&) = delete;
   TradeCsv& operator=(const TradeCsv&) = delete;
@@ -24,6 +25,7 @@ class TradeCsv {
   void flush();
 
   std::string path_;
+  bool tolerances_;
   std::FILE* file_;
 };
 
@@ -33,7 +35,7 @@ struct Trade {
   Reference reference;
   SolverOptions present;          ///< what the scene says now
   double error_budget = 0;        ///< [rad, relative]
-  std::vector<Setting> settings;  ///< by integrator, and by ascending step
+  std::vector<Setting> settings;  ///< by integrator, by ascending step and tolerance
 };
 
 /// Whether a setting is what the scene says now.

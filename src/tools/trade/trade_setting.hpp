@@ -12,6 +12,7 @@ namespace rigid_body_sim {
 struct Setting {
   std::string integrator;
   double time_step = 0;  ///< [s]
+  double tolerance = 0;  ///< [rad, relative] where it decides about the error, with contact; else 0
   Errors errors;
   double cpu_ns_per_sim_s = 0;         ///< [ns/s] processor time per simulated second
   std::int64_t force_evaluations = 0;  ///< over the whole run

@@ -83,7 +83,8 @@ class EditedScene {
   std::vector<std::string> lines_;
 };
 
-std::string edited(const std::string& text, const std::string& integrator, double time_step) {
+std::string edited(const std::string& text, const std::string& integrator, double time_step,
+                   double tolerance) {
   EditedScene scene(text);
   scene.replace("time_step", shortest(time_step));
   if (scene.has("integrator"))
@@ -91,6 +92,10 @@ std::string edited(const std::string& text, const std::string& integrator, doubl
   else if (integrator != "auto")
     scene.insertAfter("time_step", "integrator: " + integrator);
   if (integrator != "auto" && scene.has("tolerance")) scene.commentOut("tolerance");
+  if (tolerance > 0 && scene.has("tolerance"))
+    scene.replace("tolerance", shortest(tolerance));
+  else if (tolerance > 0)
+    scene.insertAfter("time_step", "tolerance: " + shortest(tolerance));
   return scene.text();
 }
 
@@ -125,11 +130,13 @@ class Replacement {
   std::string name_ = path_ + ".XXXXXX";
 };
 
-/// Whether a scene file says the integrator and the step.
-bool says(const std::string& path, const std::string& integrator, double time_step) {
+/// Whether a scene file says the integrator, the step and, where it is not 0, the tolerance.
+bool says(const std::string& path, const std::string& integrator, double time_step,
+          double tolerance) {
   try {
     const Scene scene = loadToolScene(path);
-    return scene.integrator == integrator && scene.time_step == time_step;
+    return scene.integrator == integrator && scene.time_step == time_step &&
+           (tolerance == 0 || scene.tolerance == tolerance);
   } catch (const std::exception&) {
     return false;
   }
@@ -137,20 +144,22 @@ bool says(const std::string& path, const std::string& integrator, double time_st
 
 }  // namespace
 
-std::string writeSolver(const std::string& path, const std::string& integrator, double time_step) {
+std::string writeSolver(const std::string& path, const std::string& integrator, double time_step,
+                        double tolerance) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();
   try {
     const std::string target = std::filesystem::canonical(path).string();  // not a link to it
-    Replacement replacement(target, edited(text.str(), integrator, time_step));
-    if (!says(replacement.name(), integrator, time_step)) throw std::out_of_range("");
+    Replacement replacement(target, edited(text.str(), integrator, time_step, tolerance));
+    if (!says(replacement.name(), integrator, time_step, tolerance)) throw std::out_of_range("");
     replacement.take();
   } catch (const std::out_of_range&) {
     throw std::runtime_error(path +
                              ": its keys do not stand on lines of their own: left as it was; "
                              "replace integrator and time_step by hand");
   }
-  return path + ": now integrator " + integrator + ", time_step " + shortest(time_step);
+  return path + ": now integrator " + integrator + ", time_step " + shortest(time_step) +
+         (tolerance > 0 ? ", tolerance " + shortest(tolerance) : "");
 }
 
 }  // namespace rigid_body_sim

@@ -193,15 +193,6 @@ TEST(TradeProgram, MeasuresARunShorterThanAStep) {
     EXPECT_EQ(rows[i].find("inf"), std::string::npos) << rows[i];
 }
 
-TEST(TradeProgram, SaysThatItCannotMeasureContact) {
-  const std::string scene = std::string(RIGID_BODY_SIM_SCENES) + "/bouncing_balls.yaml";
-  const Outcome run = trade(scene + " --out " + newDirectory() + " 2>&1");
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.out.rfind("trade: " + scene + ": contact cannot be measured: only dop853", 0), 0U)
-      << run.out;
-  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1);
-}
-
 TEST(TradeProgram, RefusesToOverwriteTheSceneByItsTable) {
   const std::string directory = newDirectory(), path = directory + "/trade.csv";
   std::ofstream(path) << springScene("time_step: 0.005\n");
