@@ -8,10 +8,10 @@
 #include "support/worlds.hpp"
 #include "tools/trade/cpu_time.hpp"
 
-// Where the integrators for conservative motion earn their place: the energy error against the processor
-// time that it takes, for a body that swings on a spring, and for one held in a net of 64 springs,
-// where evaluations are dear. An integrator is tried at ever shorter steps, until they no longer
-// gain; `*` marks what no other setting reaches in as little time.
+// Where the integrators for conservative motion earn their place: the energy error against the
+// processor time that it takes, for a body that swings on a spring, and for one held in a net of 64
+// springs, where evaluations are dear. An integrator is tried at ever shorter steps, until they no
+// longer gain; `*` marks what no other setting reaches in as little time.
 
 namespace rigid_body_sim {
 namespace {
@@ -90,8 +90,8 @@ void compare(const char* title, const test::Bench& bench, double duration, doubl
     const bool front = std::none_of(all.begin(), all.end(), [&](const Measured& other) {
       return other.error <= m.error && other.seconds < m.seconds;
     });
-    std::printf("%-20s %10.3g %10.1e %12.2f %s\n", m.integrator.c_str(), m.step, m.error, 1e3 * m.seconds,
-                front ? "*" : "");
+    std::printf("%-20s %10.3g %10.1e %12.2f %s\n", m.integrator.c_str(), m.step, m.error,
+                1e3 * m.seconds, front ? "*" : "");
   }
 }
 
