@@ -93,8 +93,8 @@ TEST(TradeContact, SaysUntilWhenAMotionIsKnown) {
 gravity: [0, 0, -9.81]
 time_step: 0.01
 bodies:
-  - {name: left, shape: {sphere: {radius: 1}}, fixed: true, position: [-1.2, 0, 0]}
-  - {name: right, shape: {sphere: {radius: 1}}, fixed: true, position: [1.2, 0, 0]}
+  - {name: left, mass: 1, shape: {sphere: {radius: 1}}, fixed: true, position: [-1.2, 0, 0]}
+  - {name: right, mass: 1, shape: {sphere: {radius: 1}}, fixed: true, position: [1.2, 0, 0]}
   - {name: ball, shape: {sphere: {radius: 0.1}}, mass: 1, position: [0.01, 0, 1.5]}
 forces:
   - {type: contact, between: [ball, left], stiffness: 1.0e+4, exponent: 1, dissipation: 0}
@@ -111,13 +111,14 @@ TEST(TradeProgram, RecommendsAToleranceForContactAndWritesIt) {
   const std::string path = directory + ".yaml";
   std::ofstream(path) << kElasticBall;
   const test::Outcome run = test::runCommand(std::string(RIGID_BODY_SIM_TRADE) + " " + path +
-                                             " --duration 1 --error-budget 1e-5 --write --out " +
+                                             " --duration 1 --error-budget 1e-9 --write --out " +
                                              directory + " 2>/dev/null");
   ASSERT_EQ(run.exit_code, 0) << run.out;
-  EXPECT_NE(run.out.find("\ntolerance: 1e-"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\ntolerance: "), std::string::npos) << run.out;
   const Scene written = loadScene(path);
   EXPECT_TRUE(written.tolerance_stated);
-  EXPECT_GT(written.tolerance, 1e-9);
+  EXPECT_GT(written.tolerance, 1e-9);  // what the scene held to before, more than is asked for
+  EXPECT_LT(written.tolerance, 1e-2);
   std::ifstream table(directory + "/trade.csv");
   std::string header, row;
   std::getline(table, header);
