@@ -15,7 +15,7 @@ class CentralGravity final : public ForceLaw {
  public:
   /// mu [m³/s²] > 0: gravitational constant × mass at the centre.
   CentralGravity(std::size_t body, const Vector3d& center_W, double mu, bool gradient)
-      : body_(body), center_W_(center_W), mu_(mu), gradient_(gradient) {}
+      : body_(body), gravity_{center_W, mu}, gradient_(gradient) {}
 
   const char* name() const override { return "central gravity"; }
   std::vector<std::size_t> members() const override { return {body_}; }
@@ -31,6 +31,8 @@ class CentralGravity final : public ForceLaw {
 
   bool hasRate() const override { return true; }
 
+  const GravityCenter* gravityCenter() const override { return &gravity_; }
+
   /// The distance from the centre.
   double reach(const Bodies& at) const override { return radius(at.states[body_]).norm(); }
 
@@ -39,8 +41,7 @@ class CentralGravity final : public ForceLaw {
   Vector3d gradientTorque(const Body& body, const BodyState& state) const;  // principal axes
 
   std::size_t body_;
-  Vector3d center_W_;
-  double mu_;
+  GravityCenter gravity_;
   bool gradient_;
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/acceleration.hpp>
 #include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/wrench.hpp>
 
@@ -173,6 +174,10 @@ class ForceLaw {
   virtual bool holdsStill(const Bodies& /*at*/, const std::vector<Stray>& /*strays*/) const {
     return false;
   }
+
+  /// Of a law whose force is that of a gravitational field: its centre. An accelerometer does not
+  /// read such a force. Null of any other law.
+  virtual const GravityCenter* gravityCenter() const { return nullptr; }
 
   /// Adds what touches now.
   virtual void addContacts(const Bodies& /*at*/, std::vector<ContactPoint>& /*contacts*/) const {}

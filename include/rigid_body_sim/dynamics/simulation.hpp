@@ -68,6 +68,10 @@ class Simulation {
   /// SimulationDiverged.
   State sample(double t) const;
 
+  /// How bodies, fixed ones too, move and accelerate at a time between now and the next step, in
+  /// the order of these indices. Of no other body anything is computed.
+  std::vector<BodyMotion> motions(const std::vector<std::size_t>& bodies, double t) const;
+
   /// One time step. Throws SimulationDiverged; then nothing has happened, to any body.
   void step();
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <rigid_body_sim/dynamics/force_law.hpp>
+#include <rigid_body_sim/dynamics/imu.hpp>
 
 namespace rigid_body_sim {
 
@@ -25,6 +26,9 @@ struct World {
   std::vector<PointWrench> wrenches;      ///< scheduled by the scene; times from the start
   std::vector<ActuatorCommand> commands;  ///< likewise
   ForceLaws laws;                         ///< between bodies, points and the world
+  /// What IMUs on fixed bodies feel of central gravity; on bodies that move it is a law.
+  std::vector<GravityCenter> gravity_centers;
+  std::vector<Imu> imus;  ///< body by body
   SolverOptions solver;
 };
 

@@ -6,18 +6,18 @@ namespace rigid_body_sim {
 
 std::shared_ptr<const ForceLaw> CentralGravity::reindexed(
     const std::function<std::size_t(std::size_t)>& index) const {
-  return std::make_shared<CentralGravity>(index(body_), center_W_, mu_, gradient_);
+  return std::make_shared<CentralGravity>(index(body_), gravity_.center_W, gravity_.mu, gradient_);
 }
 
 Vector3d CentralGravity::radius(const BodyState& state) const {
-  return (state.x_W - center_W_) + state.x_low_W;
+  return (state.x_W - gravity_.center_W) + state.x_low_W;
 }
 
 Vector3d CentralGravity::gradientTorque(const Body& body, const BodyState& state) const {
   const Vector3d r_W = radius(state);
   const double r = r_W.norm();
   const Vector3d n_P = rotateBack(state.q_WP, Vector3d(r_W / r));
-  return 3 * mu_ / (r * r * r) * n_P.cross(body.I.cwiseProduct(n_P));
+  return 3 * gravity_.mu / (r * r * r) * n_P.cross(body.I.cwiseProduct(n_P));
 }
 
 void CentralGravity::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
@@ -25,17 +25,17 @@ void CentralGravity::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches
   const BodyState& state = at.states[body_];
   const Vector3d r_W = radius(state);
   const double r = r_W.norm();
-  wrenches[body_].f_W -= mu_ * body.mass / (r * r * r) * r_W;
+  wrenches[body_].f_W -= gravity_.mu * body.mass / (r * r * r) * r_W;
   if (gradient_) wrenches[body_].tau_P += gradientTorque(body, state);
 }
 
 double CentralGravity::potentialEnergy(const Bodies& at) const {
-  return -mu_ * at.bodies[body_]->mass / radius(at.states[body_]).norm();
+  return -gravity_.mu * at.bodies[body_]->mass / radius(at.states[body_]).norm();
 }
 
 double CentralGravity::rate(const Bodies& at, const std::vector<double>& /*speeds*/) const {
   const double r = radius(at.states[body_]).norm();
-  return std::sqrt((gradient_ ? 3 : 1) * mu_ / r) / r;
+  return std::sqrt((gradient_ ? 3 : 1) * gravity_.mu / r) / r;
 }
 
 double CentralGravity::externalPower(const Bodies& at) const {

@@ -99,6 +99,11 @@ void checkWorld(const World& world) {
   for (const PointWrench& wrench : world.wrenches) checkWrench(world, wrench);
   for (const Body& body : world.bodies) checkActuators(body);
   for (const ActuatorCommand& command : world.commands) checkCommand(world, command);
+  for (const Imu& imu : world.imus) {
+    checkIndex(world, imu.body);
+    const std::string fault = imuFault(imu);
+    require(fault.empty(), "body '" + world.bodies[imu.body].name + "': " + fault);
+  }
 }
 
 void checkState(const World& world, const State& state) {

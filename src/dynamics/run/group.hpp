@@ -45,6 +45,10 @@ class Group {
     return solved_ && t != t_ ? solved_->at(t) : present_.bodies[k];
   }
 
+  /// How its members move and accelerate at a time t from the present to knownUntil(), in the order
+  /// of members().
+  std::vector<BodyMotion> motions(double t) const;
+
   /// Writes the laws' own states at present among those of all laws.
   void putLawStates(const LawTable& table, std::vector<double>& law_states) const;
 

@@ -112,7 +112,7 @@ State Run::state() const {
 }
 
 State Run::sample(double t) const {
-  if (next_link_ <= t || watches_.quietUntil() <= t) return sampleLinking(t);
+  if (linksUntil(t)) return sampleLinking(t);
   State sampled;
   sampled.t = t;
   sampled.laws = lawStates();
@@ -138,18 +138,23 @@ State Run::sample(double t) const {
   return sampled;
 }
 
-/// The same where bodies may be linked or parted meanwhile: a copy goes there.
-State Run::sampleLinking(double t) const {
+/// A copy that goes on to a time between now and the next step, through whatever links or parts
+/// bodies meanwhile.
+Run Run::goneOnTo(double t) const {
   Run copy = *this;
-  if (t > time_) {
-    copy.advanceLinking(t);
-    for (Group& group : copy.groups_.all()) {
-      copy.advance(group, t, copy.schedules_);
-      group.accept(t);
-    }
-    copy.time_ = t;
+  if (!(t > time_)) return copy;
+  copy.advanceLinking(t);
+  for (Group& group : copy.groups_.all()) {
+    copy.advance(group, t, copy.schedules_);
+    group.accept(t);
   }
-  State sampled = copy.state();
+  copy.time_ = t;
+  return copy;
+}
+
+/// The same where bodies may be linked or parted meanwhile.
+State Run::sampleLinking(double t) const {
+  State sampled = goneOnTo(t).state();
   sampled.anchors.clear();
   sampled.plans.clear();
   return sampled;

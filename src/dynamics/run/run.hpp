@@ -41,6 +41,9 @@ class Run {
   /// The state at a time between now and the next step; the run goes on as if never asked.
   State sample(double t) const;
 
+  /// How these bodies move and accelerate then.
+  std::vector<BodyMotion> motions(const std::vector<std::size_t>& bodies, double t) const;
+
   const std::vector<WrenchSchedule>& schedules() const { return schedules_; }
   const Groups& groups() const { return groups_; }
   const MethodPlanner& planner() const { return planner_; }
@@ -101,6 +104,11 @@ class Run {
   void startContacts(const std::vector<std::size_t>& laws, const std::vector<BodyState>& bodies);
   void restartContacts(std::size_t body);
   State sampleLinking(double t) const;
+  bool linksUntil(double t) const { return next_link_ <= t || watches_.quietUntil() <= t; }
+  Run goneOnTo(double t) const;
+  BodyMotion motionOfFixed(std::size_t body) const;
+  std::vector<BodyMotion> motionsOfGroup(std::size_t group, double t,
+                                         std::vector<WrenchSchedule>& schedules) const;
   BodyState bodyAt(std::size_t body, double t) const;
   std::vector<double> lawStates() const;
   WatchedRun watched() const;

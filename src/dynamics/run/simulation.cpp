@@ -42,6 +42,11 @@ BodyState Simulation::body(std::size_t body) const { return parts_->run.body(bod
 State Simulation::state() const { return parts_->run.state(); }
 State Simulation::sample(double t) const { return parts_->run.sample(t); }
 
+std::vector<BodyMotion> Simulation::motions(const std::vector<std::size_t>& bodies,
+                                            double t) const {
+  return parts_->run.motions(bodies, t);
+}
+
 void Simulation::step() {
   if (parts_->balance) {
     parts_->run.step(parts_->balance->beginStep());

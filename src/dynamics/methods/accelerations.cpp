@@ -1,0 +1,45 @@
+#include "dynamics/methods/accelerations.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// Of a law of gravity: its force goes to the acceleration of the body, its torque to the wrench.
+void addGravity(const System& system, const SystemState& states, const ForceLaw& law,
+                std::vector<Wrench>& wrenches, std::vector<BodyMotion>& motions) {
+  std::vector<Wrench> own(wrenches.size());
+  law.addWrenches({system.bodies, states.bodies}, own);
+  for (const std::size_t i : law.members()) {
+    motions[i].acceleration.g_W += own[i].f_W / system.bodies[i]->mass;
+    motions[i].acceleration.centers.push_back(*law.gravityCenter());
+    wrenches[i].tau_W += own[i].tau_W;
+    wrenches[i].tau_P += own[i].tau_P;
+  }
+}
+
+}  // namespace
+
+std::vector<BodyMotion> motionsOf(const System& system, const SystemState& states) {
+  Workspace workspace;
+  std::vector<Wrench>& wrenches = workspace.wrenches;
+  evaluateAppliedAndFlows(system, states, workspace);
+  std::vector<BodyMotion> motions(states.bodies.size());
+  for (BodyMotion& motion : motions) motion.acceleration.g_W = system.g_W;
+  for (const auto& law : system.laws)
+    if (law->gravityCenter())
+      addGravity(system, states, *law, wrenches, motions);
+    else
+      law->addWrenches({system.bodies, states.bodies}, wrenches);
+  forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& with_own) {
+    if (law.acts(with_own.own)) law.addWrenches(with_own, wrenches);
+  });
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Body& body = *system.bodies[i];
+    motions[i].state = states.bodies[i];
+    const BodyStateDot dot = stateDot(body, states.bodies[i], wrenches[i]);
+    motions[i].acceleration.felt_W = dot.p_dot_W / body.mass;
+    motions[i].acceleration.w_dot_P = angularVelocity(body.inv_I, dot.L_dot_P);
+  }
+  return motions;
+}
+
+}  // namespace rigid_body_sim
