@@ -8,7 +8,8 @@ namespace {
 
 /// Of contacts, errors remain in the flights that follow.
 bool solvedToRounding(const Run& run, const Group& group) {
-  return !group.choice().method && !run.world().solver.tolerance_stated && !run.hasContacts();
+  return !group.choice().method && !run.now().world->solver.tolerance_stated &&
+         run.now().laws.contacts().empty();
 }
 
 /// By how much the difference of the two runs exceeds the error of the finer one. In contact, both
@@ -16,17 +17,17 @@ bool solvedToRounding(const Run& run, const Group& group) {
 /// estimate.
 double excessOf(const Run& run, const Group& group) {
   const Method* method = group.choice().method;
-  return method && !run.hasContacts() ? std::exp2(method->order) - 1 : 1;
+  return method && run.now().laws.contacts().empty() ? std::exp2(method->order) - 1 : 1;
 }
 
 }  // namespace
 
 ErrorTracker::ErrorTracker(const Run& run) {
-  if (run.steps() % 2 == 0) start(run);
+  if (run.now().steps % 2 == 0) start(run);
 }
 
 void ErrorTracker::start(const Run& run) {
-  const std::vector<Group>& groups = run.groups().all();
+  const std::vector<Group>& groups = run.now().groups.all();
   if (!std::all_of(groups.begin(), groups.end(),
                    [&](const Group& group) { return solvedToRounding(run, group); }))
     coarse_ = run.atTwiceTheStep();
@@ -41,23 +42,23 @@ void ErrorTracker::command(const ActuatorCommand& command) {
 }
 
 void ErrorTracker::follow(const Run& run) {
-  if (run.steps() % 2 != 0 || std::isinf(estimate_.attitude)) return;
+  if (run.now().steps % 2 != 0 || std::isinf(estimate_.attitude)) return;
   if (!coarse_) return start(run);
   try {
-    while (2 * coarse_->steps() < run.steps()) coarse_->step();
+    while (2 * coarse_->now().steps < run.now().steps) coarse_->step();
   } catch (const SimulationDiverged&) {
     estimate_.attitude = estimate_.position = std::numeric_limits<double>::infinity();
-    estimate_.lost_at = std::min(estimate_.lost_at, run.time());
+    estimate_.lost_at = std::min(estimate_.lost_at, run.now().time);
     return;
   }
-  for (std::size_t body = paths_.size(); body < run.world().bodies.size(); ++body)
+  for (std::size_t body = paths_.size(); body < run.now().world->bodies.size(); ++body)
     paths_.push_back({run.body(body)});
-  for (const Group& group : run.groups().all())
+  for (const Group& group : run.now().groups.all())
     if (!solvedToRounding(run, group)) compare(run, group);
 }
 
 void ErrorTracker::compare(const Run& run, const Group& group) {
-  const SolverOptions& solver = run.world().solver;
+  const SolverOptions& solver = run.now().world->solver;
   // a solved motion is compared with itself solved to rounding
   const double ratio = excessOf(run, group);
   for (std::size_t body : group.members()) {
@@ -67,11 +68,11 @@ void ErrorTracker::compare(const Run& run, const Group& group) {
     Path& path = paths_[body];
     path.length += distanceBetween(fine, path.last);
     path.last = fine;
-    const bool has_moved = path.length > radiusOfGyration(run.world().bodies[body]);
+    const bool has_moved = path.length > radiusOfGyration(run.now().world->bodies[body]);
     const bool exceeds =
         attitude > solver.tolerance || (has_moved && position > solver.tolerance * path.length);
-    if (exceeds && solver.integrator == "auto" && run.time() <= solver.horizon)
-      estimate_.lost_at = std::min(estimate_.lost_at, run.time());
+    if (exceeds && solver.integrator == "auto" && run.now().time <= solver.horizon)
+      estimate_.lost_at = std::min(estimate_.lost_at, run.now().time);
     estimate_.attitude = std::max(estimate_.attitude, attitude);
     estimate_.position = std::max(estimate_.position, position);
   }

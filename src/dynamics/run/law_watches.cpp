@@ -14,12 +14,12 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kNotKnown = -kNever;
 
-const double* ownStates(const LawWatch& watch, const WatchedRun& run) {
+const double* ownStates(const LawWatch& watch, const RunState& run) {
   return run.law_states.data() + watch.firstState();
 }
 
-bool acts(const LawWatch& watch, const WatchedRun& run) {
-  return run.world.laws[watch.law()]->acts(ownStates(watch, run));
+bool acts(const LawWatch& watch, const RunState& run) {
+  return run.world->laws[watch.law()]->acts(ownStates(watch, run));
 }
 
 /// Whether the motions of all its bodies are known beforehand.
@@ -62,15 +62,15 @@ void LawWatches::wakeUp(const std::vector<std::size_t>& bodies) {
   quiet_until_ = kNotKnown;
 }
 
-bool LawWatches::findCandidates(const WatchedRun& run, double t_end) {
+bool LawWatches::findCandidates(const RunState& run, double t_end) {
   if (!pairs_.hasLaws() || t_end <= pairs_.until()) return false;
-  pairs_.sweep(run.world, run.groups, run.schedules, run.time, t_end);
+  pairs_.sweep(*run.world, run.groups, run.schedules, run.time, t_end);
   std::vector<LawWatch> found;
   for (std::size_t law : pairs_.candidates()) {
     if (LawWatch* known = candidate(law))
       found.push_back(*known);
     else
-      found.emplace_back(run.world, law, run.laws.firstState(law));
+      found.emplace_back(*run.world, law, run.laws.firstState(law));
   }
   candidates_ = std::move(found);
   return true;
@@ -90,13 +90,13 @@ void LawWatches::restart() {
 }
 
 /// Whether its law does not act, nor belong to a group that looks after it.
-bool LawWatches::isWatched(const LawWatch& watch, const WatchedRun& run) const {
+bool LawWatches::isWatched(const LawWatch& watch, const RunState& run) const {
   if (acts(watch, run)) return false;
   const Group& group = run.groups.of(watch.members().front());
   return !(group.mayStop() && group.follows(watch.law()));
 }
 
-void LawWatches::findQuiet(const WatchedRun& run) {
+void LawWatches::findQuiet(const RunState& run) {
   quiet_until_ = pairs_.hasLaws() ? pairs_.until() : kNever;
   forWatches([&](const LawWatch& watch) {
     if (isWatched(watch, run)) quiet_until_ = std::min(quiet_until_, watch.quietUntil());
@@ -107,7 +107,7 @@ void LawWatches::findQuiet(const WatchedRun& run) {
   }
 }
 
-std::optional<LawWatches::Event> LawWatches::firstEvent(const WatchedRun& run, double t_end) {
+std::optional<LawWatches::Event> LawWatches::firstEvent(const RunState& run, double t_end) {
   std::optional<Event> first;
   forWatches([&](LawWatch& watch) {
     const double until = first ? first->t : t_end;
@@ -120,18 +120,17 @@ std::optional<LawWatches::Event> LawWatches::firstEvent(const WatchedRun& run, d
 /// Whether bodies of which some are integrated may touch before t_end: within how far they are
 /// taken to go, where the law needs them to be near each other. For other laws, they may reverse
 /// and double their speed within the step, and fall twice as fast.
-bool LawWatches::isNear(const LawWatch& watch, const WatchedRun& run, double t,
-                        double t_end) const {
-  if (std::isfinite(run.world.laws[watch.law()]->touchRadius(0)))
+bool LawWatches::isNear(const LawWatch& watch, const RunState& run, double t, double t_end) const {
+  if (std::isfinite(run.world->laws[watch.law()]->touchRadius(0)))
     return watch.mayAct(ownStates(watch, run),
                         [this](std::size_t body) -> const Roam& { return pairs_.roam(body); });
   const double h = t_end - t;
   const auto motion = [&](std::size_t body, double at) { return run.groups.at(body, at); };
   const auto bound = [&](std::size_t body) {
     const BodyState s = motion(body, t);
-    const Body& of = run.world.bodies[body];
+    const Body& of = run.world->bodies[body];
     MotionBound loose;
-    loose.a_off = 4 * s.p_W.norm() / of.mass / h + 2 * run.world.g_W.norm();
+    loose.a_off = 4 * s.p_W.norm() / of.mass / h + 2 * run.world->g_W.norm();
     loose.torque = (4 * s.L_P.norm() + 4 * radiusOfGyration(of) * s.p_W.norm()) / h;
     loose.until = kNever;
     return std::optional<MotionBound>(loose);
@@ -139,7 +138,7 @@ bool LawWatches::isNear(const LawWatch& watch, const WatchedRun& run, double t,
   return watch.quietInFlight(t, ownStates(watch, run), motion, bound) < t_end;
 }
 
-std::optional<LawWatches::Event> LawWatches::eventOf(LawWatch& watch, const WatchedRun& run,
+std::optional<LawWatches::Event> LawWatches::eventOf(LawWatch& watch, const RunState& run,
                                                      double t_end) const {
   double t = run.time;
   for (std::size_t body : watch.members()) t = std::max(t, run.groups.of(body).time());
@@ -148,20 +147,21 @@ std::optional<LawWatches::Event> LawWatches::eventOf(LawWatch& watch, const Watc
     if (!isNear(watch, run, t, t_end)) return std::nullopt;
     return Event{&watch, t, true};
   }
+  const auto motion = [&run](std::size_t body, double at) { return run.at(body, at); };
   const auto bound = [&run](std::size_t body) {
     return run.groups.of(body).motionBound(run.schedules);
   };
   try {
     if (const std::optional<double> event =
-            watch.firstEvent(t, t_end, ownStates(watch, run), run.motion, bound))
+            watch.firstEvent(t, t_end, ownStates(watch, run), motion, bound))
       return Event{&watch, *event};
   } catch (const StepTooLong& reason) {
-    throw SimulationDiverged(t, run.world.bodies[watch.members().front()].name, reason.what());
+    throw SimulationDiverged(t, run.world->bodies[watch.members().front()].name, reason.what());
   }
   return std::nullopt;
 }
 
-std::vector<std::size_t> LawWatches::forgetFar(const WatchedRun& run, double t_end) {
+std::vector<std::size_t> LawWatches::forgetFar(const RunState& run, double t_end) {
   std::vector<std::size_t> parted;
   std::set<std::size_t> kept;
   const auto consider = [&](const LawWatch& watch) {
@@ -174,7 +174,7 @@ std::vector<std::size_t> LawWatches::forgetFar(const WatchedRun& run, double t_e
   forWatches(consider);
   // what is left is no candidate any more
   for (std::size_t law : near_)
-    for (std::size_t body : run.world.laws[law]->members()) parted.push_back(body);
+    for (std::size_t body : run.world->laws[law]->members()) parted.push_back(body);
   near_ = std::move(kept);
   return parted;
 }

@@ -5,22 +5,11 @@
 #include <set>
 #include <vector>
 
-#include "dynamics/run/groups.hpp"
 #include "dynamics/run/law_watch.hpp"
 #include "dynamics/run/pair_sweep.hpp"
+#include "dynamics/run/run_state.hpp"
 
 namespace rigid_body_sim {
-
-/// What laws that may begin to act are watched on: a run at the present.
-struct WatchedRun {
-  const World& world;
-  const LawTable& laws;
-  const Groups& groups;
-  const std::vector<WrenchSchedule>& schedules;
-  const std::vector<double>& law_states;  ///< State::laws
-  double time;                            ///< [s] start of the step
-  LawWatch::Motion motion;                ///< within the step
-};
 
 /// All laws of a world that may begin to act, and when the first of them does.
 class LawWatches {
@@ -40,11 +29,11 @@ class LawWatches {
 
   /// Finds, where that is not known, which laws may act up to t_end that need bodies to be near
   /// each other. Returns whether they were looked for; see PairSweep.
-  bool findCandidates(const WatchedRun& run, double t_end);
+  bool findCandidates(const RunState& run, double t_end);
   const PairSweep& pairs() const { return pairs_; }
 
   /// Finds quietUntil anew.
-  void findQuiet(const WatchedRun& run);
+  void findQuiet(const RunState& run);
 
   /// A law that begins to act at time t [s], or bodies that are to be integrated together from
   /// then on, because they are near.
@@ -55,7 +44,7 @@ class LawWatches {
   };
 
   /// The first up to t_end.
-  std::optional<Event> firstEvent(const WatchedRun& run, double t_end);
+  std::optional<Event> firstEvent(const RunState& run, double t_end);
 
   /// Contacts that link bodies without acting, until the next step begins.
   const std::set<std::size_t>& near() const { return near_; }
@@ -63,12 +52,12 @@ class LawWatches {
 
   /// At the start of a step, to t_end, forgets those that are near no more. Returns the bodies of
   /// those that do not act, to be parted.
-  std::vector<std::size_t> forgetFar(const WatchedRun& run, double t_end);
+  std::vector<std::size_t> forgetFar(const RunState& run, double t_end);
 
  private:
-  bool isWatched(const LawWatch& watch, const WatchedRun& run) const;
-  std::optional<Event> eventOf(LawWatch& watch, const WatchedRun& run, double t_end) const;
-  bool isNear(const LawWatch& watch, const WatchedRun& run, double t, double t_end) const;
+  bool isWatched(const LawWatch& watch, const RunState& run) const;
+  std::optional<Event> eventOf(LawWatch& watch, const RunState& run, double t_end) const;
+  bool isNear(const LawWatch& watch, const RunState& run, double t, double t_end) const;
   LawWatch* candidate(std::size_t law);
   template <class F>
   void forWatches(const F& f);

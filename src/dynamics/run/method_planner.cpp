@@ -23,6 +23,10 @@ void MethodPlanner::requireSupport(unsigned needs, const std::string& body) cons
   if (method_) rigid_body_sim::requireSupport(*method_, needs, body);
 }
 
+void MethodPlanner::requireSupport(const World& world) const {
+  if (method_) rigid_body_sim::requireSupport(world);
+}
+
 MethodChoice MethodPlanner::atStart(const World& world, const LawTable& laws,
                                     const CoupledBodies& group, const TrialStart& start,
                                     bool scheduled, std::size_t trials) {

@@ -23,6 +23,9 @@ class MethodPlanner {
   /// group needs.
   void requireSupport(unsigned needs, const std::string& body) const;
 
+  /// The same for all that acts in the world, now or later.
+  void requireSupport(const World& world) const;
+
   /// For a group that forms at the start of a run. scheduled: whether the scene's wrenches are to
   /// come, as at the start of time; trials: groups that share the time there is for trials.
   MethodChoice atStart(const World& world, const LawTable& laws, const CoupledBodies& group,

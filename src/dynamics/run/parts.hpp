@@ -12,20 +12,20 @@ namespace rigid_body_sim {
 /// A run and what follows it where it is asked for.
 struct Simulation::Parts {
   explicit Parts(Run started) : run(std::move(started)), commands_at_most(commandsToCome()) {
-    for (const WrenchSchedule& schedule : run.schedules()) wrenches_at_most += schedule.size();
+    for (const WrenchSchedule& schedule : run.now().schedules) wrenches_at_most += schedule.size();
   }
 
   /// To actuators of all bodies.
   std::size_t commandsToCome() const {
     std::size_t count = 0;
-    for (const WrenchSchedule& schedule : run.schedules())
+    for (const WrenchSchedule& schedule : run.now().schedules)
       if (schedule.actuators()) count += schedule.actuators()->commandsToCome();
     return count;
   }
 
   /// The state is another from now on.
   void restartTracking() {
-    if (balance) balance.emplace(run.world(), run.state());
+    if (balance) balance.emplace(*run.now().world, run.state());
     if (error) error->restart();
   }
 

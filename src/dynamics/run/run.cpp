@@ -1,57 +1,63 @@
 #include "dynamics/run/run.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <limits>
 #include <utility>
 
+#include "dynamics/run/linking_step.hpp"
+
 namespace rigid_body_sim {
-namespace {
 
-/// The first quantity of a state that is not finite; null when all are.
-const char* nonFiniteQuantity(const BodyState& s) {
-  if (!s.x_W.allFinite() || !s.x_low_W.allFinite()) return "position is no longer finite";
-  if (!s.q_WP.coeffs().allFinite()) return "attitude is no longer finite";
-  if (!s.p_W.allFinite()) return "momentum is no longer finite";
-  if (!s.L_W.allFinite() || !s.L_P.allFinite()) return "angular momentum is no longer finite";
-  return nullptr;
+Run::Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start)
+    : now_(world, RunMotors::complete(*world, start)), grouping_(now_), motors_(*world, *start) {
+  MethodPlanner& planner = grouping_.planner();
+  planner.requireSupport(*world);
+  planner.take(start->plans);
+  place(*now_.start, true);
 }
 
-/// Finite only where all coefficients are: one test for the rule, nonFiniteQuantity for the rest.
-double sumOfAll(const BodyState& s) {
-  return (s.x_W + s.x_low_W + s.p_W + s.L_W + s.L_P).sum() + s.q_WP.coeffs().sum();
+Run Run::atTwiceTheStep() const {
+  Run coarse = *this;
+  World world = *now_.world;
+  world.solver.time_step *= 2;
+  world.solver.tolerance_stated = false;
+  coarse.now_.world = std::make_shared<const World>(std::move(world));
+  coarse.now_.steps = now_.steps / 2;
+  coarse.now_.law_states = now_.lawStates();
+  coarse.grouping_.formAtTwiceTheStep(coarse.now_, now_);
+  return coarse;
 }
 
-/// Throws for a group that has been advanced from t to what is not finite.
-void requireFinite(const World& world, const Group& group, double t) {
-  const SystemState& next = group.advanced();
-  for (std::size_t k = 0; k < next.bodies.size(); ++k) {
-    if (std::isfinite(sumOfAll(next.bodies[k]))) continue;
-    if (const char* quantity = nonFiniteQuantity(next.bodies[k]))
-      throw SimulationDiverged(t, world.bodies[group.members()[k]].name, quantity);
-  }
-  for (double own : next.laws)
-    if (!std::isfinite(own))
-      throw SimulationDiverged(t, world.bodies[group.members()[0]].name,
-                               "state of a law on it is no longer finite");
+/// Begins at a state. scheduled: with the wrenches of the scene that act or are to come.
+void Run::place(const State& start, bool scheduled) {
+  const World& world = *now_.world;
+  const double h = world.solver.time_step;
+  now_.steps = static_cast<std::int64_t>(std::llround(start.t / h));
+  now_.time = static_cast<double>(now_.steps) * h;
+  now_.schedules.assign(world.bodies.size(), WrenchSchedule());
+  if (scheduled)
+    for (const PointWrench& wrench : world.wrenches)
+      now_.schedules[wrench.body].put("", onSteps(wrench, h), 0);
+  motors_.place(now_, start, scheduled);
+  for (WrenchSchedule& schedule : now_.schedules) schedule.advanceTo(now_.time);
+  now_.law_states = start.laws.empty() ? now_.laws.start(world) : start.laws;
+  contacts_.place(now_.steps);
+  if (start.laws.empty()) contacts_.start(now_, now_.laws.contacts(), start.bodies);
+  grouping_.form(now_, start, scheduled);
 }
-
-}  // namespace
-
-void Run::step() { stepMetered(); }
-void Run::step(ExchangeMeter& meter) { stepMetered(meter); }
 
 /// One step; of groups whose motion is known beyond it only if they are metered.
-template <class... Meter>
-void Run::stepMetered(Meter&... meter) {
-  const double t_end = static_cast<double>(steps_ + 1) * world_->solver.time_step;
+void Run::advance(ExchangeMeter* meter) {
+  const double t_end = static_cast<double>(now_.steps + 1) * now_.world->solver.time_step;
+  const double known_beyond = meter ? std::numeric_limits<double>::infinity() : t_end;
   step_.start();
   try {
-    if (next_link_ <= t_end || watches_.quietUntil() <= t_end) advanceLinking(t_end, meter...);
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      if (t_end < groups_.knownUntil(g) && sizeof...(Meter) == 0) continue;
-      step_.beginGroup(g, t_end, groups_, schedules_);
-      advance(groups_[g], t_end, schedules_, meter...);
+    if (grouping_.mayChangeBy(t_end))
+      LinkingStep(now_, grouping_, contacts_, step_, t_end, meter).advance();
+    for (std::size_t g = 0; g < now_.groups.size(); ++g) {
+      if (known_beyond < now_.groups.knownUntil(g)) continue;
+      step_.beginGroup(g, t_end, now_.groups, now_.schedules);
+      now_.advance(now_.groups[g], t_end, now_.schedules, meter);
     }
   } catch (const SimulationDiverged&) {
     takeBack();
@@ -60,107 +66,85 @@ void Run::stepMetered(Meter&... meter) {
   accept(t_end);
 }
 
-/// Advances a group to states that are finite.
-template <class... Meter>
-void Run::advance(Group& group, double t_end, std::vector<WrenchSchedule>& schedules,
-                  Meter&... meter) const {
-  const double t = std::max(time_, group.time());
-  try {
-    group.advance(t, t_end, schedules, meter...);
-  } catch (const StepTooLong& reason) {
-    throw SimulationDiverged(t, world_->bodies[group.members()[0]].name, reason.what());
-  }
-  requireFinite(*world_, group, t);
-}
-
 void Run::takeBack() {
   const bool regrouped = step_.hasRegrouped();
-  step_.takeBack(*world_, groups_, schedules_, law_states_);
-  if (regrouped) findNextLink();
-  watches_.wakeUp();
+  step_.takeBack(*now_.world, now_.groups, now_.schedules, now_.law_states);
+  if (regrouped) grouping_.findNextLink(now_);
+  grouping_.watches().wakeUp();
 }
 
 void Run::accept(double t_end) {
-  if (step_.hasRegrouped()) findNextLink();
-  const std::vector<std::size_t> switched = step_.accept(t_end, groups_, schedules_);
-  time_ = t_end;
-  ++steps_;
-  if (!switched.empty()) regroup(switched, t_end);
+  if (step_.hasRegrouped()) grouping_.findNextLink(now_);
+  const std::vector<std::size_t> switched = step_.accept(t_end, now_.groups, now_.schedules);
+  now_.time = t_end;
+  ++now_.steps;
+  if (!switched.empty()) grouping_.regroup(now_, switched, t_end);
 }
 
-std::vector<double> Run::lawStates() const {
-  std::vector<double> states = law_states_;
-  if (!states.empty())
-    for (const Group& group : groups_.all()) group.putLawStates(laws_, states);
-  return states;
+void Run::put(const std::string& slot, const PointWrench& wrench) {
+  WrenchSchedule& schedule = now_.schedules[wrench.body];
+  schedule.put(slot, wrench, now_.time);
+  grouping_.disturb(now_, wrench.body);
+  restartGroup(wrench.body);
+  if (HeldWrench::holds(wrench)) return;
+  std::vector<std::size_t> bodies;
+  schedule.advanceTo(now_.time);
+  schedule.addLinked(now_.time, bodies);
+  bodies.push_back(wrench.body);
+  grouping_.regroup(now_, bodies, now_.time);
+  grouping_.findNextLink(now_);
 }
 
-State Run::state() const {
-  State state;
-  state.t = time_;
-  state.laws = lawStates();
-  if (!start_->actuators.empty()) state.actuators = actuatorStates(schedules_);
-  state.bodies.reserve(world_->bodies.size());
-  for (std::size_t i = 0; i < world_->bodies.size(); ++i) state.bodies.push_back(body(i));
-  state.anchors.resize(world_->bodies.size());
-  for (const Group& group : groups_.all()) {
-    for (std::size_t k = 0; k < group.members().size(); ++k)
-      state.anchors[group.members()[k]] = group.anchorOf(k);
-    state.plans.push_back(toPlan(group));
-  }
-  return state;
+bool Run::clear(std::size_t body, const std::string& slot) {
+  WrenchSchedule& schedule = now_.schedules[body];
+  const bool all_held = schedule.allHeld();
+  if (!(slot.empty() ? schedule.clear() : schedule.clear(slot))) return false;
+  grouping_.disturb(now_, body);
+  restartGroup(body);
+  if (!all_held) grouping_.regroup(now_, {body}, now_.time);
+  if (std::isfinite(grouping_.nextLink())) grouping_.findNextLink(now_);
+  return true;
 }
 
-State Run::sample(double t) const {
-  if (linksUntil(t)) return sampleLinking(t);
-  State sampled;
-  sampled.t = t;
-  sampled.laws = lawStates();
-  sampled.bodies = start_->bodies;
-  std::vector<WrenchSchedule> schedules;
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const std::vector<std::size_t>& members = groups_[g].members();
-    if (t < groups_.knownUntil(g) || t <= time_) {
-      for (std::size_t k = 0; k < members.size(); ++k)
-        sampled.bodies[members[k]] = groups_[g].at(std::max(t, time_), k);
-      continue;
+/// What is to come changes nothing before: the motion stays anchored where it is.
+void Run::command(const ActuatorCommand& command) {
+  now_.schedules[command.body].command(command, now_.time);
+  grouping_.disturb(now_, command.body);
+  if (command.start <= now_.time)
+    restartGroup(command.body);
+  else
+    now_.groups.forgetKnown(now_.groups.indexOf(command.body));
+}
+
+void Run::setState(std::size_t body, const BodyState& state) {
+  grouping_.disturb(now_, body);
+  const BodyState now = motors_.follow(now_, body, state);
+  restartGroup(body);
+  now_.groups.of(body).setState(now_.groups.memberOf(body), now);
+  contacts_.restart(now_, grouping_, body);
+}
+
+void Run::reset(bool restart_time) {
+  if (restart_time) return place(*now_.start, true);
+  State start = *now_.start;
+  start.t = now_.time;
+  start.anchors.clear();
+  start.plans.clear();
+  const double later = now_.time - now_.start->t;
+  for (std::vector<ActuatorState>& of_body : start.actuators)
+    for (ActuatorState& actuator : of_body) {
+      actuator.since += later;
+      actuator.until += later;
     }
-    if (schedules.empty()) schedules = schedules_;
-    Group group = groups_[g];
-    advance(group, t, schedules);
-    group.accept(t);
-    for (std::size_t k = 0; k < members.size(); ++k)
-      sampled.bodies[members[k]] = group.present().bodies[k];
-    if (!sampled.laws.empty()) group.putLawStates(laws_, sampled.laws);
-  }
-  if (!start_->actuators.empty())
-    sampled.actuators = actuatorStates(schedules.empty() ? schedules_ : schedules);
-  return sampled;
+  place(start, false);
 }
 
-/// A copy that goes on to a time between now and the next step, through whatever links or parts
-/// bodies meanwhile.
-Run Run::goneOnTo(double t) const {
-  Run copy = *this;
-  if (!(t > time_)) return copy;
-  copy.advanceLinking(t);
-  for (Group& group : copy.groups_.all()) {
-    copy.advance(group, t, copy.schedules_);
-    group.accept(t);
-  }
-  copy.time_ = t;
-  return copy;
+/// Begins anew from the present, what acts on a body or its state being another from now on.
+void Run::restartGroup(std::size_t body) {
+  Group& group = now_.groups.of(body);
+  for (std::size_t member : group.members()) now_.schedules[member].advanceTo(now_.time);
+  group.restart(now_.time, now_.schedules);
+  now_.groups.forgetKnown(now_.groups.indexOf(body));
 }
-
-/// The same where bodies may be linked or parted meanwhile.
-State Run::sampleLinking(double t) const {
-  State sampled = goneOnTo(t).state();
-  sampled.anchors.clear();
-  sampled.plans.clear();
-  return sampled;
-}
-
-template void Run::advance(Group&, double, std::vector<WrenchSchedule>&) const;
-template void Run::advance(Group&, double, std::vector<WrenchSchedule>&, ExchangeMeter&) const;
 
 }  // namespace rigid_body_sim

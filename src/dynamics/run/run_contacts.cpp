@@ -1,57 +1,76 @@
+#include "dynamics/run/run_contacts.hpp"
+
 #include <algorithm>
 #include <set>
 
-#include "dynamics/run/run.hpp"
-
-/// Contacts that start anew, and what is reported of them.
 namespace rigid_body_sim {
+namespace {
 
-const std::vector<ContactEvent>& Run::contactEvents() const {
-  static const std::vector<ContactEvent> none;
-  return contact_events_step_ == steps_ ? contact_events_ : none;
-}
-
-/// Puts the own states of contacts to what they are where nothing has happened before.
-void Run::startContacts(const std::vector<std::size_t>& laws,
-                        const std::vector<BodyState>& bodies) {
-  contact_events_step_ = steps_;
-  for (std::size_t law : laws) {
-    double* own = law_states_.data() + laws_.firstState(law);
-    world_->laws[law]->setStart(own);
-    const LawWatch watch(*world_, law, laws_.firstState(law));
-    watch.switchModes(
-        time_, own, [&bodies](std::size_t body, double) { return bodies[body]; }, contact_events_);
-  }
-}
-
-/// After the state of a body was set from outside.
-void Run::restartContacts(std::size_t body) {
+/// Contacts of a body that start anew where its state is set: those that it leaves, too.
+std::vector<std::size_t> startingAnew(RunState& run, Grouping& grouping, std::size_t body) {
   std::set<std::size_t> anew;
   const auto addThose = [&] {
-    for (std::size_t law : laws_.of(body))
-      if (world_->laws[law]->startsAnew()) anew.insert(law);
+    for (std::size_t law : run.laws.of(body))
+      if (run.world->laws[law]->startsAnew()) anew.insert(law);
   };
   addThose();
-  findCandidates(time_);  // where the body is now
+  grouping.findCandidates(run, run.time);  // where the body is now
   addThose();
-  if (anew.empty()) return;
-  const std::vector<std::size_t> contacts(anew.begin(), anew.end());
-  law_states_ = lawStates();
-  const std::vector<double> before = law_states_;
+  return {anew.begin(), anew.end()};
+}
+
+}  // namespace
+
+const std::vector<ContactEvent>& RunContacts::eventsOf(std::int64_t steps) const {
+  static const std::vector<ContactEvent> none;
+  if (last_.steps == steps) return last_.events;
+  return previous_.steps == steps ? previous_.events : none;
+}
+
+std::vector<ContactEvent>& RunContacts::beginStep(std::int64_t steps) {
+  if (last_.steps != steps) std::swap(last_, previous_);
+  last_.events.clear();
+  last_.steps = steps;
+  return last_.events;
+}
+
+void RunContacts::place(std::int64_t steps) {
+  previous_ = {{}, steps};
+  last_ = {{}, steps};
+}
+
+void RunContacts::start(RunState& run, const std::vector<std::size_t>& laws,
+                        const std::vector<BodyState>& bodies) {
+  if (last_.steps != run.steps) beginStep(run.steps);
+  for (std::size_t law : laws) {
+    const std::size_t first = run.laws.firstState(law);
+    double* own = run.law_states.data() + first;
+    run.world->laws[law]->setStart(own);
+    const LawWatch watch(*run.world, law, first);
+    watch.switchModes(
+        run.time, own, [&bodies](std::size_t body, double) { return bodies[body]; }, last_.events);
+  }
+}
+
+void RunContacts::restart(RunState& run, Grouping& grouping, std::size_t body) {
+  const std::vector<std::size_t> contacts = startingAnew(run, grouping, body);
+  if (contacts.empty()) return;
+  run.law_states = run.lawStates();
+  const std::vector<double> before = run.law_states;
   std::vector<BodyState> bodies;
-  for (std::size_t i = 0; i < world_->bodies.size(); ++i) bodies.push_back(this->body(i));
-  startContacts(contacts, bodies);
-  // others that it neither touched nor touches go on as they are
+  for (std::size_t i = 0; i < run.world->bodies.size(); ++i) bodies.push_back(run.at(i, run.time));
+  start(run, contacts, bodies);
   std::vector<std::size_t> members{body};
   for (std::size_t law : contacts) {
-    const std::size_t first = laws_.firstState(law), count = world_->laws[law]->stateCount();
-    const auto own = law_states_.begin() + static_cast<std::ptrdiff_t>(first);
-    const bool is_same = std::equal(own, own + static_cast<std::ptrdiff_t>(count),
-                                    before.begin() + static_cast<std::ptrdiff_t>(first));
-    if (is_same && !world_->laws[law]->acts(law_states_.data() + first)) continue;
-    for (std::size_t member : world_->laws[law]->members()) members.push_back(member);
+    const std::size_t first = run.laws.firstState(law);
+    const auto own = run.law_states.begin() + static_cast<std::ptrdiff_t>(first);
+    const bool is_same =
+        std::equal(own, own + static_cast<std::ptrdiff_t>(run.world->laws[law]->stateCount()),
+                   before.begin() + static_cast<std::ptrdiff_t>(first));
+    if (is_same && !run.world->laws[law]->acts(run.law_states.data() + first)) continue;
+    for (std::size_t member : run.world->laws[law]->members()) members.push_back(member);
   }
-  regroup(members, time_, true);
+  grouping.regroup(run, members, run.time, true);
 }
 
 }  // namespace rigid_body_sim

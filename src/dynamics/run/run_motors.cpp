@@ -1,68 +1,60 @@
-#include <memory>
+#include "dynamics/run/run_motors.hpp"
+
+#include <utility>
 
 #include "dynamics/actuators/actuator_law.hpp"
 #include "dynamics/actuators/actuator_start.hpp"
-#include "dynamics/run/run.hpp"
 
-/// The motors of a run: how they start, and what is asked of them.
 namespace rigid_body_sim {
 
-/// For a world with actuators.
-void Run::takeActuators() {
-  for (const Body& body : world_->bodies)
-    if (!body.actuators.empty()) planner_.requireSupport(needsOf(actuatorTable(body)), body.name);
-  commanded_ = !start_->actuators.empty();
-  start_ = std::make_shared<const State>(withActuators(*world_, *start_));
+RunMotors::RunMotors(const World& world, const State& start)
+    : commanded_(!start.actuators.empty()) {
+  if (!hasActuators(world)) return;
+  for (const Body& body : world.bodies)
+    tables_.push_back(body.actuators.empty()
+                          ? nullptr
+                          : std::make_shared<const ActuatorTable>(actuatorTable(body)));
 }
 
-/// scheduled: with those commands of the scene that the state has not taken yet.
-void Run::placeActuators(const State& start, bool scheduled) {
-  for (std::size_t i = 0; i < world_->bodies.size(); ++i)
-    if (!world_->bodies[i].actuators.empty())
-      schedules_[i].setActuators(
-          ActuatorSchedule(std::make_shared<const ActuatorTable>(actuatorTable(world_->bodies[i])),
-                           start.actuators[i]));
+std::shared_ptr<const State> RunMotors::complete(const World& world,
+                                                 std::shared_ptr<const State> start) {
+  if (!hasActuators(world)) return start;
+  return std::make_shared<const State>(withActuators(world, *start));
+}
+
+void RunMotors::place(RunState& run, const State& start, bool scheduled) const {
+  if (tables_.empty()) return;
+  for (std::size_t i = 0; i < tables_.size(); ++i)
+    if (tables_[i]) run.schedules[i].setActuators(ActuatorSchedule(tables_[i], start.actuators[i]));
   if (!scheduled) return;
-  for (ActuatorCommand command : world_->commands) {
-    command.start = onStep(command.start, world_->solver.time_step);
-    if (commanded_ && command.start <= time_) continue;
-    schedules_[command.body].command(command, time_);
+  for (ActuatorCommand command : run.world->commands) {
+    command.start = onStep(command.start, run.world->solver.time_step);
+    if (commanded_ && command.start <= run.time) continue;
+    run.schedules[command.body].command(command, run.time);
   }
 }
 
-std::vector<std::vector<ActuatorState>> Run::actuatorStates(
+std::vector<std::vector<ActuatorState>> RunMotors::states(
     const std::vector<WrenchSchedule>& schedules) const {
   std::vector<std::vector<ActuatorState>> states;
+  if (tables_.empty()) return states;
   for (const WrenchSchedule& schedule : schedules)
     states.push_back(schedule.actuators() ? schedule.actuators()->states()
                                           : std::vector<ActuatorState>());
   return states;
 }
 
-/// What is to come changes nothing before: the motion stays anchored where it is.
-void Run::command(const ActuatorCommand& command) {
-  const std::size_t body = command.body;
-  schedules_[body].command(command, time_);
-  disturb(body);
-  if (command.start <= time_)
-    restartGroup(body);
-  else
-    groups_.forgetKnown(groups_.indexOf(body));
-}
-
-void Run::setState(std::size_t body, const BodyState& state) {
-  disturb(body);
+BodyState RunMotors::follow(RunState& run, std::size_t body, const BodyState& state) const {
   BodyState now = state;
-  if (const ActuatorSchedule* actuators = schedules_[body].actuators()) {
-    const Vector3d& inv_I = world_->bodies[body].inv_I;
-    schedules_[body].followJump(angularVelocity(inv_I, this->body(body).L_P),
-                                angularVelocity(inv_I, state.L_P), time_);
-    if (hasSpin(actuators->table()))
-      now.L_W = totalMomentum(now, momentumOf(actuators->table(), actuators->states(), time_));
-  }
-  restartGroup(body);
-  groups_.of(body).setState(groups_.memberOf(body), now);
-  restartContacts(body);
+  WrenchSchedule& schedule = run.schedules[body];
+  const ActuatorSchedule* actuators = schedule.actuators();
+  if (!actuators) return now;
+  const Vector3d& inv_I = run.world->bodies[body].inv_I;
+  schedule.followJump(angularVelocity(inv_I, run.at(body, run.time).L_P),
+                      angularVelocity(inv_I, state.L_P), run.time);
+  if (hasSpin(actuators->table()))
+    now.L_W = totalMomentum(now, momentumOf(actuators->table(), actuators->states(), run.time));
+  return now;
 }
 
 }  // namespace rigid_body_sim

@@ -35,9 +35,9 @@ Simulation& Simulation::operator=(const Simulation& other) { return *this = Simu
 Simulation& Simulation::operator=(Simulation&& other) noexcept = default;
 Simulation::~Simulation() = default;
 
-const World& Simulation::world() const { return parts_->run.world(); }
-double Simulation::time() const { return parts_->run.time(); }
-std::int64_t Simulation::steps() const { return parts_->run.steps(); }
+const World& Simulation::world() const { return *parts_->run.now().world; }
+double Simulation::time() const { return parts_->run.now().time; }
+std::int64_t Simulation::steps() const { return parts_->run.now().steps; }
 BodyState Simulation::body(std::size_t body) const { return parts_->run.body(body); }
 State Simulation::state() const { return parts_->run.state(); }
 State Simulation::sample(double t) const { return parts_->run.sample(t); }
@@ -80,7 +80,7 @@ void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench)
     throw std::invalid_argument("at most " + std::to_string(kMaxWrenches) +
                                 " wrenches may act or be to come");
   if (!HeldWrench::holds(wrench))
-    parts_->run.planner().requireSupport(kCoupling, world().bodies[wrench.body].name);
+    parts_->run.requireSupport(kCoupling, world().bodies[wrench.body].name);
   PointWrench timed = onSteps(wrench, world().solver.time_step);
   if (timed.start < time()) {  // now, at the same duration
     timed.end += time() - timed.start;
@@ -116,25 +116,25 @@ void Simulation::reset(bool restart_time) {
 
 bool Simulation::replaces(const std::string& slot, const PointWrench& wrench) const {
   return !slot.empty() && wrench.start <= time() &&
-         parts_->run.schedules()[wrench.body].holds(slot);
+         parts_->run.now().schedules[wrench.body].holds(slot);
 }
 
 std::size_t Simulation::wrenchCount() const {
   std::size_t count = 0;
-  for (const WrenchSchedule& schedule : parts_->run.schedules()) count += schedule.size();
+  for (const WrenchSchedule& schedule : parts_->run.now().schedules) count += schedule.size();
   return count;
 }
 
 std::size_t Simulation::wrenchCount(std::size_t body) const {
-  return parts_->run.schedules()[body].size();
+  return parts_->run.now().schedules[body].size();
 }
 
 const std::vector<PointWrench>& Simulation::activeWrenches(std::size_t body) const {
-  return parts_->run.schedules()[body].active();
+  return parts_->run.now().schedules[body].active();
 }
 
 std::vector<PointWrench> Simulation::activeWrenches(std::size_t body, double t) const {
-  return parts_->run.schedules()[body].activeAt(t);
+  return parts_->run.now().schedules[body].activeAt(t);
 }
 
 const std::vector<ContactEvent>& Simulation::contactEvents() const {
@@ -161,12 +161,12 @@ Wrench Simulation::appliedWrench(std::size_t body) const {
 
 std::vector<MotionPlan> Simulation::plans() const {
   std::vector<MotionPlan> plans;
-  for (const Group& group : parts_->run.groups().all()) plans.push_back(toPlan(group));
+  for (const Group& group : parts_->run.now().groups.all()) plans.push_back(toPlan(group));
   return plans;
 }
 
-int Simulation::maxSubsteps() const { return parts_->run.groups().maxSubsteps(); }
-std::int64_t Simulation::evaluations() const { return parts_->run.groups().evaluations(); }
+int Simulation::maxSubsteps() const { return parts_->run.now().groups.maxSubsteps(); }
+std::int64_t Simulation::evaluations() const { return parts_->run.now().groups.evaluations(); }
 
 void Simulation::trackError() { parts_->error.emplace(parts_->run); }
 

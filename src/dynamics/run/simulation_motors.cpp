@@ -28,7 +28,7 @@ void Simulation::command(const ActuatorCommand& command) {
 
 std::vector<ActuatorReading> Simulation::actuators(std::size_t body) const {
   std::vector<ActuatorReading> readings;
-  const ActuatorSchedule* actuators = parts_->run.schedules()[body].actuators();
+  const ActuatorSchedule* actuators = parts_->run.now().schedules[body].actuators();
   if (!actuators) return readings;
   const Body& constant = world().bodies[body];
   const Vector3d w_P = angularVelocity(constant.inv_I, this->body(body).L_P);
@@ -40,7 +40,7 @@ std::vector<ActuatorReading> Simulation::actuators(std::size_t body) const {
 
 std::int64_t Simulation::saturations() const {
   std::int64_t sum = 0;
-  for (const WrenchSchedule& schedule : parts_->run.schedules()) {
+  for (const WrenchSchedule& schedule : parts_->run.now().schedules) {
     if (!schedule.actuators()) continue;
     for (const ActuatorState& state : schedule.actuators()->states()) sum += state.saturations;
   }

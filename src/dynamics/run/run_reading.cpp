@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <utility>
+
+#include "dynamics/run/linking_step.hpp"
+#include "dynamics/run/run.hpp"
+
+/// What a run is asked: its state, now and within the next step.
+namespace rigid_body_sim {
+
+State Run::state() const {
+  State state;
+  state.t = now_.time;
+  state.laws = now_.lawStates();
+  state.actuators = motors_.states(now_.schedules);
+  state.bodies.reserve(now_.world->bodies.size());
+  for (std::size_t i = 0; i < now_.world->bodies.size(); ++i) state.bodies.push_back(body(i));
+  state.anchors.resize(now_.world->bodies.size());
+  for (const Group& group : now_.groups.all()) {
+    for (std::size_t k = 0; k < group.members().size(); ++k)
+      state.anchors[group.members()[k]] = group.anchorOf(k);
+    state.plans.push_back(toPlan(group));
+  }
+  return state;
+}
+
+State Run::sample(double t) const {
+  State sampled;
+  if (grouping_.mayChangeBy(t)) {
+    sampled = goneOnTo(t).state();
+    sampled.anchors.clear();
+    sampled.plans.clear();
+    return sampled;
+  }
+  sampled.t = t;
+  sampled.laws = now_.lawStates();
+  sampled.bodies = now_.start->bodies;
+  std::vector<WrenchSchedule> schedules;
+  for (std::size_t g = 0; g < now_.groups.size(); ++g) {
+    const std::vector<std::size_t>& members = now_.groups[g].members();
+    if (t < now_.groups.knownUntil(g) || t <= now_.time) {
+      for (std::size_t k = 0; k < members.size(); ++k)
+        sampled.bodies[members[k]] = now_.groups[g].at(std::max(t, now_.time), k);
+      continue;
+    }
+    if (schedules.empty()) schedules = now_.schedules;
+    Group group = now_.groups[g];
+    now_.advance(group, t, schedules, nullptr);
+    group.accept(t);
+    for (std::size_t k = 0; k < members.size(); ++k)
+      sampled.bodies[members[k]] = group.present().bodies[k];
+    if (!sampled.laws.empty()) group.putLawStates(now_.laws, sampled.laws);
+  }
+  sampled.actuators = motors_.states(schedules.empty() ? now_.schedules : schedules);
+  return sampled;
+}
+
+/// A copy that goes on to a time between now and the next step, through whatever links or parts
+/// bodies meanwhile.
+Run Run::goneOnTo(double t) const {
+  Run copy = *this;
+  if (!(t > now_.time)) return copy;
+  LinkingStep(copy.now_, copy.grouping_, copy.contacts_, copy.step_, t, nullptr).advance();
+  for (Group& group : copy.now_.groups.all()) {
+    copy.now_.advance(group, t, copy.now_.schedules, nullptr);
+    group.accept(t);
+  }
+  copy.now_.time = t;
+  return copy;
+}
+
+}  // namespace rigid_body_sim
