@@ -20,7 +20,7 @@ TEST(SceneKeys, MustBeKnown) {
       kAtBox +
           "unknown key 'mas' (known: name, frame, shape, mass, density, inertia, center_of_mass, "
           "parts, particles, urdf, impossible_inertia, position, orientation, twist, drag, points, "
-          "collision, thrusters, rotors, wheels, fixed, visual)");
+          "collision, thrusters, rotors, wheels, imus, fixed, visual)");
   EXPECT_EQ(boxError("    twist: {fram: world}\n"),
             kAtBox + "unknown key 'twist.fram' (known: frame, linear, angular)");
   EXPECT_EQ(boxError("    points: {a: {pos: [0, 0, 0]}}\n"),

@@ -11,6 +11,7 @@
 #include <rigid_body_sim/mass/particles.hpp>
 #include <rigid_body_sim/mass/shapes.hpp>
 #include <rigid_body_sim/scene/actuator_def.hpp>
+#include <rigid_body_sim/scene/imu_def.hpp>
 #include <rigid_body_sim/scene/visual.hpp>
 
 namespace rigid_body_sim {
@@ -120,6 +121,7 @@ struct BodyDef {
   bool fixed = false;  ///< it never moves
   VisualDef visual;
   ActuatorDefs actuators;
+  std::vector<ImuDef> imus;
   std::optional<std::vector<CollisionDef>> collision;  ///< none: what it is made of touches
 
   int line = 0;              ///< of its name

@@ -7,6 +7,7 @@
 #include "dynamics/run/coupling.hpp"
 #include "scene/build/body_mass.hpp"
 #include "scene/build/build_actuators.hpp"
+#include "scene/build/build_imus.hpp"
 #include "scene/build/build_laws.hpp"
 #include "scene/build/check_scene.hpp"
 
@@ -65,6 +66,8 @@ World buildWorld(const Scene& scene) {
   world.wrenches = wrenchesOf(scene, world.bodies);
   world.commands = commandsOf(scene, world.bodies);
   world.laws = lawsOf(scene, world.bodies);
+  world.gravity_centers = gravityCentersOf(scene);
+  world.imus = imusOf(scene);
   world.solver = {scene.integrator, scene.time_step, scene.tolerance, scene.horizon,
                   scene.tolerance_stated};
   checkIntegrator(scene, world);

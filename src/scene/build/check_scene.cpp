@@ -1,5 +1,6 @@
 #include "scene/build/check_scene.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -30,6 +31,8 @@ void checkNames(const Scene& scene) {
     if (frameOf(body) != body.name) claim(frameOf(body), "body", body.line, where + ": frame");
     for (const PointDef& point : body.points)
       claim(body.name + "/" + point.name, "point", point.line, where + ": points." + point.name);
+    for (const ImuDef& def : body.imus)
+      claim(body.name + "/" + def.imu.name, "IMU", def.line, where + ": imus." + def.imu.name);
   }
 }
 
@@ -97,6 +100,22 @@ void checkActuators(const Scene& scene, const BodyDef& body) {
                      "body '" + body.name + "': " + fault);
 }
 
+/// What an IMU publishes has the name of the IMU.
+void checkImus(const Scene& scene, const BodyDef& body) {
+  static const std::vector<std::string> kTopics{"accel",   "actuators", "applied_wrench",
+                                                "command", "odom",      "wrench"};
+  for (const ImuDef& def : body.imus) {
+    const std::string where = "body '" + body.name + "': imus." + def.imu.name;
+    if (std::find(kTopics.begin(), kTopics.end(), def.imu.name) != kTopics.end())
+      throw SceneError(scene.source, def.line,
+                       where + ": the topic " + body.name + "/" + def.imu.name +
+                           " is the body's own; an IMU needs a name other than " +
+                           nameList(kTopics));
+    const std::string fault = imuFault(def.imu);
+    if (!fault.empty()) throw SceneError(scene.source, def.line, where + ": " + fault);
+  }
+}
+
 }  // namespace
 
 void checkScene(const Scene& scene) {
@@ -108,6 +127,7 @@ void checkScene(const Scene& scene) {
       checkPlane(scene, body);
     checkMotion(scene, body);
     checkActuators(scene, body);
+    checkImus(scene, body);
   }
 }
 

@@ -124,6 +124,7 @@ BodyDef readBody(const Entry& list_item) {
       {"thrusters", [](const Entry& e, BodyDef& b) { b.actuators.thrusters = readThrusters(e); }},
       {"rotors", [](const Entry& e, BodyDef& b) { b.actuators.rotors = readRotors(e); }},
       {"wheels", [](const Entry& e, BodyDef& b) { b.actuators.wheels = readWheels(e); }},
+      {"imus", [](const Entry& e, BodyDef& b) { b.imus = readImus(e); }},
       {"fixed", [](const Entry& e, BodyDef& b) { b.fixed = readBoolean(e); }},
       {"visual", [](const Entry& e, BodyDef& b) { b.visual = readVisual(e); }},
   };

@@ -14,6 +14,7 @@ Drag::Coefficients readDrag(const Entry& entry);
 std::vector<ThrusterDef> readThrusters(const Entry& entry);
 std::vector<RotorDef> readRotors(const Entry& entry);
 std::vector<WheelDef> readWheels(const Entry& entry);
+std::vector<ImuDef> readImus(const Entry& entry);
 CommandDef readCommand(const Entry& entry);
 
 /// The value of `shape`.

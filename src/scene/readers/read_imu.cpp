@@ -1,0 +1,82 @@
+#include <charconv>
+
+#include "scene/limits.hpp"
+#include "scene/readers/readers.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+std::uint64_t readSeed(const Entry& value) {
+  const std::string_view text = value.node().text;
+  const char* const end = text.data() + text.size();
+  std::uint64_t seed = 0;
+  const auto [rest, error] = std::from_chars(text.data(), end, seed);
+  const bool plain = value.node().kind == YamlNode::Kind::kScalar && !value.node().quoted;
+  if (!plain || text.empty() || rest != end || error != std::errc())
+    value.failRule("must be a whole number from 0 to 2^64 - 1");
+  return seed;
+}
+
+SensorNoise readGyroscope(const Entry& entry) {
+  using Def = SensorNoise;
+  static const std::vector<Key<Def>> keys = {
+      {"noise_density",
+       [](const Entry& e, Def& d) { d.density = readNotNegative(e, "rad/s/sqrt(Hz)"); }},
+      {"bias", [](const Entry& e, Def& d) { d.bias = readVector3(e, "rad/s"); }},
+      {"bias_walk",
+       [](const Entry& e, Def& d) { d.bias_walk = readNotNegative(e, "rad/s^2/sqrt(Hz)"); }},
+  };
+  SensorNoise noise;
+  readMapping(entry, keys, noise);
+  return noise;
+}
+
+SensorNoise readAccelerometer(const Entry& entry) {
+  using Def = SensorNoise;
+  static const std::vector<Key<Def>> keys = {
+      {"noise_density",
+       [](const Entry& e, Def& d) { d.density = readNotNegative(e, "m/s^2/sqrt(Hz)"); }},
+      {"bias", [](const Entry& e, Def& d) { d.bias = readVector3(e, "m/s^2"); }},
+      {"bias_walk",
+       [](const Entry& e, Def& d) { d.bias_walk = readNotNegative(e, "m/s^3/sqrt(Hz)"); }},
+  };
+  SensorNoise noise;
+  readMapping(entry, keys, noise);
+  return noise;
+}
+
+double readImuRate(const Entry& value) {
+  const double rate = readPositive(value, "Hz");
+  if (rate > kMaxImuRate) value.failRule("must be > 0 and at most 1e6 Hz");
+  return rate;
+}
+
+ImuDef readOne(const Entry& entry) {
+  static const std::vector<Key<Imu>> keys = {
+      {"position", [](const Entry& e, Imu& i) { i.position_B = readVector3(e, "m"); }},
+      {"orientation", [](const Entry& e, Imu& i) { i.q_BS = readOrientation(e); }},
+      {"rate", [](const Entry& e, Imu& i) { i.rate = readImuRate(e); }, true},
+      {"seed", [](const Entry& e, Imu& i) { i.seed = readSeed(e); }},
+      {"gyroscope", [](const Entry& e, Imu& i) { i.gyroscope = readGyroscope(e); }},
+      {"accelerometer", [](const Entry& e, Imu& i) { i.accelerometer = readAccelerometer(e); }},
+  };
+  ImuDef def;
+  def.imu.name = std::string(entry.node().key);
+  def.line = entry.node().line;
+  if (!isName(def.imu.name)) entry.fail("imus: '" + printable(def.imu.name) + "' " + nameRule());
+  readMapping(entry, keys, def.imu);
+  return def;
+}
+
+}  // namespace
+
+std::vector<ImuDef> readImus(const Entry& entry) {
+  if (entry.node().kind != YamlNode::Kind::kMapping)
+    entry.failRule("must be a mapping of names to IMUs");
+  entry.checkCount(kMaxImus, "imus");
+  std::vector<ImuDef> imus;
+  for (const YamlNode& node : entry.node().children) imus.push_back(readOne(entry.child(node)));
+  return imus;
+}
+
+}  // namespace rigid_body_sim
