@@ -35,6 +35,10 @@ struct PublishedMessages {
   void keep(const std::string& name, const geometry_msgs::WrenchStamped& m) {
     applied[name].push_back(m);
   }
+  void keep(const std::string& name, const geometry_msgs::AccelStamped& m) {
+    accelerations[name].push_back(m);
+  }
+  void keep(const std::string& name, const sensor_msgs::Imu& m) { imu[name].push_back(m); }
   void keep(const std::string&, const tf2_msgs::TFMessage& m) { tf.push_back(m); }
   void keep(const std::string&, const BodyStates& m) { states.push_back(m); }
   void keep(const std::string&, const Contacts& m) { contacts.push_back(m); }
@@ -49,6 +53,8 @@ struct PublishedMessages {
   std::size_t subscribers = 1;
   std::map<std::string, std::vector<nav_msgs::Odometry>> odometry;
   std::map<std::string, std::vector<geometry_msgs::WrenchStamped>> applied;
+  std::map<std::string, std::vector<geometry_msgs::AccelStamped>> accelerations;
+  std::map<std::string, std::vector<sensor_msgs::Imu>> imu;
   std::vector<tf2_msgs::TFMessage> tf;  // the static ones first
   std::vector<BodyStates> states;
   std::vector<Contacts> contacts;

@@ -37,7 +37,8 @@ TEST_F(SimulateBags, BagHoldsTheTopicsOfTheNodeAtTheirStamps) {
     }
   }
   EXPECT_EQ(counts,
-            (std::map<std::string, int>{{"/box/applied_wrench", 11},
+            (std::map<std::string, int>{{"/box/accel", 11},
+                                        {"/box/applied_wrench", 11},
                                         {"/box/odom", 11},
                                         {"/clock", 101},
                                         {"/rigid_body_node/markers", 12},  // the bodies once

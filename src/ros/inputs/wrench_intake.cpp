@@ -48,7 +48,7 @@ WrenchIntake::WrenchIntake(const Scene& scene, const std::vector<Body>& bodies,
     const BodyDef& body = scene.bodies[i];
     addName(frames.of(i), body.name);
     for (const PointDef& point : body.points)
-      addName(frames.of(i, point), body.name + "/" + point.name);
+      addName(frames.of(i, point.name), body.name + "/" + point.name);
   }
 }
 

@@ -7,7 +7,7 @@
 
 namespace rigid_body_sim {
 
-/// Names of the frames of bodies and points on tf: PREFIX/<body>, PREFIX/<body>/<point>. The
+/// Names of the frames of bodies, points and IMUs on tf: PREFIX/<body>, PREFIX/<body>/<point>. The
 /// world's frame has no prefix: it is what nodes with different prefixes have in common.
 class TfFrames {
  public:
@@ -22,8 +22,9 @@ class TfFrames {
 
   const std::vector<std::string>& bodies() const { return bodies_; }
   const std::string& of(std::size_t body) const { return bodies_[body]; }
-  std::string of(std::size_t body, const PointDef& point) const {
-    return names_[body] + "/" + point.name;
+  /// Of a point or an IMU.
+  std::string of(std::size_t body, const std::string& part) const {
+    return names_[body] + "/" + part;
   }
 
  private:

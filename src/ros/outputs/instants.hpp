@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 namespace rigid_body_sim {
 
@@ -26,9 +29,24 @@ class Instants {
     while (next() <= t) k_ += 1;
   }
 
+  /// The number k of the last instant from `from` to `reach` [s], where there is one; all instants
+  /// up to there have passed then.
+  std::optional<std::uint64_t> take(double from, double reach) {
+    if (next() > reach) return std::nullopt;
+    passTo(reach);
+    if ((k_ - 1) / rate_ < from) return std::nullopt;
+    return static_cast<std::uint64_t>(k_ - 1);
+  }
+
  private:
   double rate_;
   double k_ = 0;  // whole, exact up to 2^53
 };
+
+/// [s] An instant that misses a step at t by less is there: rounding of a quotient and of a
+/// product.
+inline double instantRounding(double t, double time_step) {
+  return std::max(1e-9 * time_step, 1e-15 * t);
+}
 
 }  // namespace rigid_body_sim

@@ -24,6 +24,14 @@ nav_msgs::Odometry Outputs::toOdometry(std::size_t body, const Snapshot& snapsho
   return odometry;
 }
 
+geometry_msgs::AccelStamped Outputs::toAcceleration(std::size_t body, const BodyMotion& motion,
+                                                    const ros::Time& stamp) const {
+  geometry_msgs::AccelStamped message =
+      toAccelStamped(simulation_->world().bodies[body], motion, stamp);
+  message.header.frame_id = frames_.of(body);
+  return message;
+}
+
 geometry_msgs::WrenchStamped Outputs::toWrench(std::size_t body, const Snapshot& snapshot,
                                                const ros::Time& stamp) const {
   geometry_msgs::WrenchStamped message = toWrenchStamped(

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <geometry_msgs/AccelStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/JointState.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -19,12 +22,22 @@
 
 namespace rigid_body_sim {
 
-/// The topics of a body that moves.
+/// The topics of an IMU.
+struct ImuTopics {
+  std::size_t imu = 0;              ///< index in World::imus
+  Topic<sensor_msgs::Imu> reading;  ///< with noise
+  Topic<sensor_msgs::Imu> truth;
+};
+
+/// The topics of a body. Of one that is fixed, those of its IMUs alone; the others are then empty
+/// functions.
 struct BodyTopics {
   std::size_t body = 0;  ///< index
   Topic<nav_msgs::Odometry> odometry;
+  Topic<geometry_msgs::AccelStamped> acceleration;
   Topic<geometry_msgs::WrenchStamped> applied_wrench;
   Topic<sensor_msgs::JointState> actuators;  ///< empty functions unless the body has some
+  std::vector<ImuTopics> imus;
 };
 
 /// What a run publishes, topic by topic.
@@ -45,18 +58,32 @@ struct TopicChoice {
   bool single_bodies = true;  ///< those of BodyTopics
 };
 
-/// The topics of a body of the world that moves, by the names that roscpp resolves. A Transport has
+/// Those of a body that moves, but for its IMUs. A Transport has
 ///   template <class Message> Topic<Message> open(const std::string& name, bool latched);
 template <class Transport>
+void openMotionTopics(Transport& transport, const Body& body, BodyTopics& topics) {
+  topics.odometry = transport.template open<nav_msgs::Odometry>(body.name + "/odom", false);
+  topics.acceleration =
+      transport.template open<geometry_msgs::AccelStamped>(body.name + "/accel", false);
+  topics.applied_wrench =
+      transport.template open<geometry_msgs::WrenchStamped>(body.name + "/applied_wrench", false);
+  if (!body.actuators.empty())
+    topics.actuators =
+        transport.template open<sensor_msgs::JointState>(body.name + "/actuators", false);
+}
+
+/// The topics of a body of the world, by the names that roscpp resolves; Transport as above.
+template <class Transport>
 BodyTopics openBodyTopics(Transport& transport, const World& world, std::size_t body) {
-  const std::string& name = world.bodies[body].name;
   BodyTopics topics;
   topics.body = body;
-  topics.odometry = transport.template open<nav_msgs::Odometry>(name + "/odom", false);
-  topics.applied_wrench =
-      transport.template open<geometry_msgs::WrenchStamped>(name + "/applied_wrench", false);
-  if (!world.bodies[body].actuators.empty())
-    topics.actuators = transport.template open<sensor_msgs::JointState>(name + "/actuators", false);
+  if (!world.bodies[body].fixed) openMotionTopics(transport, world.bodies[body], topics);
+  for (std::size_t i = 0; i < world.imus.size(); ++i) {
+    if (world.imus[i].body != body) continue;
+    const std::string name = world.bodies[body].name + "/" + world.imus[i].name;
+    topics.imus.push_back({i, transport.template open<sensor_msgs::Imu>(name, false),
+                           transport.template open<sensor_msgs::Imu>(name + "/truth", false)});
+  }
   return topics;
 }
 
@@ -77,9 +104,10 @@ OutputTopics openTopics(Transport& transport, const World& world, const TopicCho
     topics.contacts = transport.template open<Contacts>("~contacts", !kLatched);
   if (choice.clock)
     topics.clock = transport.template open<rosgraph_msgs::Clock>("/clock", !kLatched);
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (world.bodies[i].fixed || !choice.single_bodies) continue;
-    topics.bodies.push_back(openBodyTopics(transport, world, i));
+  for (std::size_t i = 0; i < world.bodies.size() && choice.single_bodies; ++i) {
+    BodyTopics of_body = openBodyTopics(transport, world, i);
+    if (!world.bodies[i].fixed || !of_body.imus.empty())
+      topics.bodies.push_back(std::move(of_body));
   }
   return topics;
 }

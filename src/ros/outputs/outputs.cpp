@@ -22,9 +22,6 @@ boost::array<double, 36> diagonalMatrix(const std::array<double, 6>& diagonal) {
   return matrix;
 }
 
-/// [s] An instant that misses t by less is there: rounding of a quotient and of a product.
-double rounding(double t, double time_step) { return std::max(1e-9 * time_step, 1e-15 * t); }
-
 }  // namespace
 
 Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& scene,
@@ -40,6 +37,7 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
       clock_instants_(options.clock_rate, simulation.time()),
       marker_instants_(std::min(options.publish_rate, kMarkerRate), simulation.time()),
       contacts_(topics_.contacts, scene.world_frame, origin),
+      imus_(origin),
       live_markers_(topics_.live_markers, scene.world_frame, frames_.bodies()),
       bodies_(toMarkers(scene, frames_)) {
   std::vector<std::optional<BodyTopics>> of_body(simulation.world().bodies.size());
@@ -60,6 +58,11 @@ void Outputs::take(std::size_t body, std::optional<BodyTopics> topics) {
   listed_.insert(std::lower_bound(listed_.begin(), listed_.end(), body), body);
   if (!added.fixed) live_markers_.add(body, 0.02 * sizeOf(added));
   if (!topics) return;
+  for (ImuTopics& of_imu : std::exchange(topics->imus, {})) {
+    const Imu& imu = simulation_->world().imus[of_imu.imu];
+    imus_.add(imu, added, std::move(of_imu), frames_.of(body, imu.name), shownTime());
+  }
+  if (added.fixed) return;
   greet(*topics);
   topics_.bodies.push_back(std::move(*topics));
 }
@@ -69,6 +72,7 @@ void Outputs::remove(std::size_t body) {
   listed_.erase(std::remove(listed_.begin(), listed_.end(), body), listed_.end());
   listBodies();
   live_markers_.remove(body);
+  imus_.remove(body);
   topics_.bodies.erase(std::remove_if(topics_.bodies.begin(), topics_.bodies.end(), is_body),
                        topics_.bodies.end());
 }
@@ -92,7 +96,10 @@ void Outputs::publishOnce(const Scene& scene) {
           toTransform(bodies[i], simulation_->body(i), world_frame_, frames_.of(i), stamp));
     for (const PointDef& point : scene.bodies[i].points)
       frames.transforms.push_back(toTransform(isometry(point.orientation, point.position),
-                                              frames_.of(i), frames_.of(i, point), stamp));
+                                              frames_.of(i), frames_.of(i, point.name), stamp));
+    for (const ImuDef& def : scene.bodies[i].imus)
+      frames.transforms.push_back(toTransform(isometry(def.imu.q_BS, def.imu.position_B),
+                                              frames_.of(i), frames_.of(i, def.imu.name), stamp));
   }
   if (!frames.transforms.empty()) topics_.tf_static.publish(frames, stamp);
   topics_.markers.publish(bodies_, stamp);
@@ -129,6 +136,9 @@ void Outputs::greet(const BodyTopics& topics) {
   topics.odometry.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
     return toOdometry(body, snapshot, stamp);
   }));
+  topics.acceleration.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
+    return toAcceleration(body, snapshot.motions({body})[0], stamp);
+  }));
   topics.applied_wrench.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
     return toWrench(body, snapshot, stamp);
   }));
@@ -145,21 +155,22 @@ std::optional<double> Outputs::instantWithinStep() const {
   const double t_end = static_cast<double>(simulation_->steps() + 1) * h;
   double t = state_instants_.next();
   if (publish_clock_) t = std::min(t, clock_instants_.next());
-  if (t < t_end - rounding(t_end, h)) return t;
+  t = std::min(t, imus_.next());
+  if (t < t_end - instantRounding(t_end, h)) return t;
   return std::nullopt;
 }
 
 void Outputs::publishInstant(double t) { publishAt(t, t); }
 
 void Outputs::publishWithinStep(double t_end) {
-  const double reach = t_end + rounding(t_end, simulation_->world().solver.time_step);
+  const double reach = t_end + instantRounding(t_end, simulation_->world().solver.time_step);
   for (auto t = instantWithinStep(); t && *t <= reach; t = instantWithinStep()) publishInstant(*t);
 }
 
 void Outputs::publishDue() {
   const double t = simulation_->time();
   contacts_.keepChanges(*simulation_);
-  publishAt(t, t + rounding(t, simulation_->world().solver.time_step));
+  publishAt(t, t + instantRounding(t, simulation_->world().solver.time_step));
 }
 
 /// Publishes at time t [s] what is due at instants up to `reach`.
@@ -168,6 +179,7 @@ void Outputs::publishAt(double t, double reach) {
     clock_instants_.passTo(reach);
     publishClock(t);
   }
+  if (imus_.publishDue(*simulation_, t, reach)) last_t_ = t;
   if (state_instants_.next() <= reach) {
     state_instants_.passTo(reach);
     const bool with_markers = marker_instants_.next() <= reach;
@@ -206,6 +218,7 @@ void Outputs::restart() {
   last_clock_stamp_.reset();
   greeted_.reset();
   contacts_.restart();
+  imus_.restart();
   last_t_ = 0;
   for (Instants* instants : {&state_instants_, &clock_instants_, &marker_instants_})
     instants->restart(0);
@@ -239,8 +252,8 @@ void Outputs::publishState(double t, bool with_markers) {
 bool Outputs::anySubscribers() const {
   return topics_.states.subscribers() > 0 || contacts_.hasSubscribers() ||
          std::any_of(topics_.bodies.begin(), topics_.bodies.end(), [](const BodyTopics& topics) {
-           return topics.odometry.subscribers() > 0 || topics.applied_wrench.subscribers() > 0 ||
-                  topics.actuators.hasSubscribers();
+           return topics.odometry.subscribers() > 0 || topics.acceleration.subscribers() > 0 ||
+                  topics.applied_wrench.subscribers() > 0 || topics.actuators.hasSubscribers();
          });
 }
 
@@ -258,6 +271,22 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
     if (topics.actuators.hasSubscribers())
       topics.actuators.publish(toActuators(topics.body, snapshot, stamp), stamp);
   }
+  publishAccelerations(snapshot, stamp);
+}
+
+/// All at once: bodies that act on one another share the work.
+void Outputs::publishAccelerations(const Snapshot& snapshot, const ros::Time& stamp) {
+  std::vector<const BodyTopics*> asked;
+  std::vector<std::size_t> bodies;
+  for (const BodyTopics& topics : topics_.bodies) {
+    if (!topics.acceleration.subscribers()) continue;
+    asked.push_back(&topics);
+    bodies.push_back(topics.body);
+  }
+  if (asked.empty()) return;
+  const std::vector<BodyMotion> motions = snapshot.motions(bodies);
+  for (std::size_t k = 0; k < asked.size(); ++k)
+    asked[k]->acceleration.publish(toAcceleration(bodies[k], motions[k], stamp), stamp);
 }
 
 void Outputs::setStates(const Snapshot& snapshot, const ros::Time& stamp) {

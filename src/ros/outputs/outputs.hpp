@@ -14,6 +14,7 @@
 #include "ros/messages/tf_frames.hpp"
 #include "ros/options/node_options.hpp"
 #include "ros/outputs/contact_output.hpp"
+#include "ros/outputs/imu_output.hpp"
 #include "ros/outputs/instants.hpp"
 #include "ros/outputs/live_markers.hpp"
 #include "ros/outputs/output_topics.hpp"
@@ -21,10 +22,11 @@
 
 namespace rigid_body_sim {
 
-/// What a run publishes, on ROS or into a bag: moving bodies on /tf, <body>/odom,
+/// What a run publishes, on ROS or into a bag: moving bodies on /tf, <body>/odom, <body>/accel,
 /// <body>/applied_wrench and <body>/actuators, all bodies on ~states, what touches on ~contacts, at
-/// the instants k / publish_rate of simulation time, /clock at k / clock_rate, whether a step ends
-/// there or not; once, latched: fixed bodies and named points on /tf_static, and ~markers. Without
+/// the instants k / publish_rate of simulation time, /clock at k / clock_rate, each IMU at k / rate
+/// of its own, whether a step ends there or not; once, latched: fixed bodies, named points and IMUs
+/// on /tf_static, and ~markers. Without
 /// subscribers nothing is computed. Stamps strictly increase while time runs. While it stands,
 /// whoever comes is sent the standing state.
 class Outputs {
@@ -91,12 +93,15 @@ class Outputs {
   void publishState(double t, bool with_markers);
   void publishClock(double t);
   void publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp);
+  void publishAccelerations(const Snapshot& snapshot, const ros::Time& stamp);
   void setStates(const Snapshot& snapshot, const ros::Time& stamp);
   bool anySubscribers() const;
   Snapshot shown() const { return Snapshot(*simulation_, shownTime()); }
   tf2_msgs::TFMessage toTransforms(const Snapshot& snapshot, const ros::Time& stamp) const;
   nav_msgs::Odometry toOdometry(std::size_t body, const Snapshot& snapshot,
                                 const ros::Time& stamp) const;
+  geometry_msgs::AccelStamped toAcceleration(std::size_t body, const BodyMotion& motion,
+                                             const ros::Time& stamp) const;
   geometry_msgs::WrenchStamped toWrench(std::size_t body, const Snapshot& snapshot,
                                         const ros::Time& stamp) const;
   sensor_msgs::JointState toActuators(std::size_t body, const Snapshot& snapshot,
@@ -122,6 +127,7 @@ class Outputs {
   double last_t_ = 0;
   BodyStates states_;  // of listed_, kept for its names
   ContactOutput contacts_;
+  ImuOutput imus_;
   LiveMarkers live_markers_;
   visualization_msgs::MarkerArray bodies_;
   std::size_t viewers_ = 0;  // at the last call of repeatBodies

@@ -22,6 +22,11 @@ class Snapshot {
 
   const std::vector<BodyState>& bodies() const { return state_.bodies; }
 
+  /// How these bodies move and accelerate.
+  std::vector<BodyMotion> motions(const std::vector<std::size_t>& bodies) const {
+    return simulation_.motions(bodies, state_.t);
+  }
+
   std::vector<PointWrench> activeWrenches(std::size_t body) const {
     return within_step_ ? simulation_.activeWrenches(body, state_.t)
                         : simulation_.activeWrenches(body);

@@ -47,6 +47,18 @@ geometry_msgs::WrenchStamped toWrenchStamped(const Body& body, const BodyState& 
   return message;
 }
 
+geometry_msgs::AccelStamped toAccelStamped(const Body& body, const BodyMotion& motion,
+                                           const ros::Time& stamp) {
+  const Vector3d origin_P = body.X_BP.inverse().translation();
+  const Vector3d a_P = rotateBack(motion.state.q_WP, accelerationOf(body, motion, origin_P));
+  geometry_msgs::AccelStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = body.name;
+  message.accel.linear = toVector3(rotate(body.q_BP, a_P));
+  message.accel.angular = toVector3(rotate(body.q_BP, motion.acceleration.w_dot_P));
+  return message;
+}
+
 sensor_msgs::JointState toJointState(const Body& body, const std::vector<ActuatorReading>& readings,
                                      const ros::Time& stamp) {
   sensor_msgs::JointState message;

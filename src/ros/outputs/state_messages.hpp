@@ -3,10 +3,12 @@
 #include <string>
 #include <vector>
 
+#include <geometry_msgs/AccelStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <sensor_msgs/JointState.h>
 
 #include <rigid_body_sim/BodyStates.h>
+#include <rigid_body_sim/dynamics/acceleration.hpp>
 #include <rigid_body_sim/dynamics/world.hpp>
 
 #include "ros/messages/conversions.hpp"
@@ -31,6 +33,12 @@ BodyStates toBodyStates(const World& world, const State& state, const std::strin
 ///   f_B = R_BP R_WPᵀ f_W,   τ_B = R_BP (R_WPᵀ tau_W + tau_P).
 geometry_msgs::WrenchStamped toWrenchStamped(const Body& body, const BodyState& state,
                                              const Wrench& wrench, const ros::Time& stamp);
+
+/// Acceleration of the origin of the body frame against the world, gravity included, and angular
+/// acceleration, in body axes:
+///   R_WBᵀ accelerationOf(origin),   R_BP ω'.
+geometry_msgs::AccelStamped toAccelStamped(const Body& body, const BodyMotion& motion,
+                                           const ros::Time& stamp);
 
 /// What the actuators of a body do, in the order of Body::actuators. Velocity: speed of a rotor or
 /// wheel relative to the body, 0 of a thruster. Effort: force of a thruster or rotor, torque of a
