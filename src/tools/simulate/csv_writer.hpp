@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cstdio>
 #include <string>
 
 #include <rigid_body_sim/dynamics/world.hpp>
+
+#include "tools/simulate/csv_file.hpp"
 
 namespace rigid_body_sim {
 
@@ -11,24 +12,13 @@ namespace rigid_body_sim {
 /// back.
 class CsvWriter {
  public:
-  /// Writes the header. Path "-": standard output. Throws std::runtime_error when the file cannot
-  /// be opened.
+  /// See CsvFile, for the others, too.
   explicit CsvWriter(const std::string& path);
-  ~CsvWriter();
-  CsvWriter(const CsvWriter&) = delete;
-  CsvWriter& operator=(const CsvWriter&) = delete;
-
-  /// Throws std::runtime_error when the file takes no more, as on a full disk.
   void write(const World& world, const State& state);
-
-  /// Throws std::runtime_error when not every row has reached the file.
-  void finish();
+  void finish() { file_.finish(); }
 
  private:
-  [[noreturn]] void fail() const;
-
-  std::string path_;
-  std::FILE* file_;
+  CsvFile file_;
 };
 
 }  // namespace rigid_body_sim

@@ -23,6 +23,7 @@
 #include "tools/common/state_at.hpp"
 #include "tools/simulate/bag_output.hpp"
 #include "tools/simulate/csv_writer.hpp"
+#include "tools/simulate/imu_csv.hpp"
 #include "tools/simulate/recorded_run.hpp"
 #include "tools/simulate/run_summary.hpp"
 #include "tools/simulate/simulate_options.hpp"
@@ -36,6 +37,8 @@ void requireDistinctFiles(const SimulateOptions& options) {
   std::vector<NamedFile> files{{"the scene", options.scene, false}};
   if (options.wrench_bag) files.push_back({"--wrench-bag", *options.wrench_bag, false});
   if (options.csv && *options.csv != "-") files.push_back({"--csv", *options.csv, true});
+  if (options.imu_csv && *options.imu_csv != "-")
+    files.push_back({"--imu-csv", *options.imu_csv, true});
   if (options.bag) files.push_back({"--bag", *options.bag, true});
   requireDistinct(files);
 }
@@ -77,6 +80,7 @@ struct Job {
   double duration = 0;                  // [s]
   double sample = 0;                    // [s]
   std::unique_ptr<CsvWriter> csv;
+  std::unique_ptr<ImuCsv> imu_csv;
   std::unique_ptr<BagOutput> bag;
 };
 
@@ -94,11 +98,21 @@ void openInputs(Job& job) {
   requireCountable(job.duration, job.sample, "samples");
 }
 
+void openImuCsv(Job& job) {
+  if (job.world.imus.empty())
+    throw UsageError("--imu-csv goes with a scene in which a body has imus");
+  for (const Imu& imu : job.world.imus)
+    requireCountable(job.duration, 1 / imu.rate, "samples of IMU " + imu.name);
+  job.imu_csv = std::make_unique<ImuCsv>(*job.options.imu_csv, job.simulation);
+  job.imu_csv->finish();
+}
+
 void openOutputs(Job& job) {
   if (job.options.csv) {
     job.csv = std::make_unique<CsvWriter>(*job.options.csv);
     job.csv->finish();  // the header: a file that takes nothing is reported before the run
   }
+  if (job.options.imu_csv) openImuCsv(job);
   if (job.options.bag)
     job.bag = std::make_unique<BagOutput>(
         *job.options.bag, 1 / job.options.sample.value_or(kBagSample),
@@ -114,8 +128,13 @@ StepHooks hooksOf(Job& job, SlowRunNotice& slow) {
       if (job.record->replay().isDone()) job.messages.print();
       if (moved && job.bag) job.bag->breakTrails();
     };
-  if (job.bag) hooks.within = [&job](double t) { job.bag->writeWithinStep(t); };
+  if (job.bag || job.imu_csv)
+    hooks.within = [&job](double t) {
+      if (job.imu_csv) job.imu_csv->writeWithinStep(t);
+      if (job.bag) job.bag->writeWithinStep(t);
+    };
   hooks.after = [&job, &slow] {
+    if (job.imu_csv) job.imu_csv->writeDue();
     if (job.bag) job.bag->writeDue();
     const std::string text = slow.textIfDue(job.simulation);
     if (text.empty()) return;
@@ -158,6 +177,7 @@ State simulateOrReport(Job& job) {
 
 void finish(Job& job) {
   if (job.csv) job.csv->finish();
+  if (job.imu_csv) job.imu_csv->finish();
   if (job.bag) job.bag->finish();
   const std::string substeps = describeSubsteps(job.simulation);
   if (!substeps.empty()) job.note(substeps);
@@ -183,14 +203,14 @@ void run(const SimulateOptions& options) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   finish(job);
 
-  std::FILE* out = options.csv == "-" ? stderr : stdout;
+  std::FILE* out = options.csv == "-" || options.imu_csv == "-" ? stderr : stdout;
   std::fprintf(out, "%s: %.6g s in steps of %.6g s with %s, in %.3g s\n", options.scene.c_str(),
                last.t, job.world.solver.time_step, job.world.solver.integrator.c_str(),
                wall.count());
   const auto inputs = job.record ? job.record->effects(job.world) : std::vector<InputEffects>();
   std::fputs(runSummary(job.world, job.first, last, inputs).c_str(), out);
   // results in files are not spoilt by a summary that nobody wants
-  if (isOpen(out) || (!job.csv && !job.bag)) requireWritten(out);
+  if (isOpen(out) || (!job.csv && !job.imu_csv && !job.bag)) requireWritten(out);
 }
 
 }  // namespace

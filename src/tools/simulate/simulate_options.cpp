@@ -28,11 +28,14 @@ SimulateOptions parseSimulateOptions(int argc, char** argv) {
       numberInto(options.tolerance, "tolerance"),
       {"integrator", [&](const char* s) { options.integrator = integratorNamed(s); }},
       textInto(options.csv, "csv"),
+      textInto(options.imu_csv, "imu-csv"),
       textInto(options.bag, "bag"),
       textInto(options.wrench_bag, "wrench-bag")};
   const auto scene = readCommandLine(argc, argv, actions, "scene file");
   options.help = !scene;
   options.scene = scene.value_or("");
+  if (options.csv == "-" && options.imu_csv == "-")
+    throw UsageError("--csv and --imu-csv cannot both be the standard output, -");
   return options;
 }
 
@@ -48,6 +51,8 @@ and momentum were conserved, or what changed them.
   --time-step S      in place of the scene's [s]
   --tolerance X      in place of the scene's, with integrator auto only
   --csv FILE|-       a row for each body and sample; - is the standard output
+  --imu-csv FILE|-   a row for each sample of each IMU of the scene, at the IMU's own rate and
+                     without noise
   --bag FILE         the topics on the bodies that a node with publish_clock publishes, stamped from
                      zero on, or as the recorded run; without ~inputs, and without ~status and
                      /diagnostics, which report wall time
@@ -58,6 +63,8 @@ and momentum were conserved, or what changed them.
 
 CSV columns: time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz: position of the body frame's origin
 [m], attitude, velocity of that origin [m/s] and angular velocity [rad/s], all in world axes.
+IMU columns: time,body,imu,gx,gy,gz,ax,ay,az: angular velocity [rad/s] and specific force [m/s^2] in
+the axes of the IMU.
 Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the simulation diverged.
 )";
 }

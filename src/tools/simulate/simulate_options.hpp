@@ -14,13 +14,14 @@ struct SimulateOptions {
   std::optional<double> tolerance;        ///< > 0
   std::optional<std::string> integrator;  ///< a name of the catalogue
   std::optional<std::string> csv;         ///< file; "-": standard output
+  std::optional<std::string> imu_csv;     ///< likewise
   std::optional<std::string> bag;         ///< file
   std::optional<std::string> wrench_bag;  ///< file
   bool help = false;
 };
 
 /// Throws UsageError for an unknown option or integrator, a value that is no number > 0, or no
-/// scene.
+/// scene, and where two outputs are the standard output.
 SimulateOptions parseSimulateOptions(int argc, char** argv);
 
 /// The text of --help.

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+#include "ros/outputs/instants.hpp"
+#include "tools/simulate/csv_file.hpp"
+
+namespace rigid_body_sim {
+
+/// Writes what every IMU reads, without noise, as CSV: a row for each sample, in order of time, of
+/// 17 significant digits.
+class ImuCsv {
+ public:
+  /// The simulation is watched, not copied. For errors see CsvFile.
+  ImuCsv(const std::string& path, const Simulation& simulation);
+
+  /// Writes what is due at the step that the simulation has come to.
+  void writeDue();
+
+  /// Writes what is due before the next step, up to time t_end [s].
+  void writeWithinStep(double t_end);
+
+  void finish() { file_.finish(); }
+
+ private:
+  double next() const;
+  void writeAt(double t, double reach);
+
+  const Simulation& simulation_;
+  CsvFile file_;
+  std::vector<Instants> instants_;  // IMU by IMU
+};
+
+}  // namespace rigid_body_sim
