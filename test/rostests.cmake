@@ -9,7 +9,6 @@ function(rigid_body_sim_rostest name)
   target_link_libraries(${target} rigid_body_sim_node_driver ${ARGN} rigid_body_sim_options)
   target_precompile_headers(${target} REUSE_FROM rigid_body_sim_node_driver)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  set_target_properties(${target} PROPERTIES RIGID_BODY_SIM_TEST ON)
   add_dependencies(${target} ${programs})
   target_compile_definitions(${target} PRIVATE ${program_definitions}
     RIGID_BODY_SIM_FOLLOWER_SCENE="${PROJECT_SOURCE_DIR}/test/ros/node/follower.yaml"

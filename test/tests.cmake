@@ -7,19 +7,17 @@ target_link_libraries(rigid_body_sim_node_driver
 # compiled as the tests are, which share its precompiled header
 target_compile_definitions(rigid_body_sim_node_driver PRIVATE GTEST_HAS_PTHREAD=1)
 target_compile_options(rigid_body_sim_node_driver PRIVATE $<$<CONFIG:Release>:-O1>)
-set_target_properties(rigid_body_sim_node_driver PROPERTIES RIGID_BODY_SIM_TEST ON)
 target_precompile_headers(rigid_body_sim_node_driver
   PRIVATE ${precompiled_ros_headers} <gtest/gtest.h>)
 
-# All gtests that need no ROS master. The names of those that the sanitizers run are listed in
-# gtests.txt of the build directory.
-add_custom_target(rigid_body_sim_gtests)
+# All gtests that need no ROS master. The names of those that test the libraries are listed in
+# gtests.txt of the build directory: they run a second time on libraries that are sanitized.
 file(WRITE ${CMAKE_BINARY_DIR}/gtests.txt "")
 
 # A program for each folder of tests, or for the files given. catkin's gtest targets take the plain
 # signature of target_link_libraries.
 function(rigid_body_sim_gtest name)
-  cmake_parse_arguments(ARG "UNSANITIZED" "HEADERS_OF" "FOLDERS;SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "WITHOUT_LIBRARIES" "HEADERS_OF" "FOLDERS;SOURCES;LIBRARIES" ${ARGN})
   set(target rigid_body_sim_test_${name})
   foreach(folder ${ARG_FOLDERS})
     file(GLOB sources CONFIGURE_DEPENDS test/${folder}/test_*.cpp)
@@ -30,10 +28,8 @@ function(rigid_body_sim_gtest name)
   target_link_libraries(${target} ${ARG_LIBRARIES} rigid_body_sim_options gtest_main gmock)
   # in a unity build a fixture in an anonymous namespace stands in an included file: no fault
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
-  # what is tested is compiled as users compile it; optimising the tests, or looking for undefined
-  # behaviour in their own lines, takes longer than it saves
+  # what is tested is compiled as users compile it; optimising the tests takes longer than it saves
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  set_target_properties(${target} PROPERTIES RIGID_BODY_SIM_TEST ON)
   if(name STREQUAL math)
     target_precompile_headers(${target} PRIVATE ${precompiled_headers} <gtest/gtest.h>)
   elseif(ARG_HEADERS_OF)
@@ -41,8 +37,7 @@ function(rigid_body_sim_gtest name)
   else()
     target_precompile_headers(${target} REUSE_FROM rigid_body_sim_test_math)
   endif()
-  if(NOT ARG_UNSANITIZED)
-    add_dependencies(rigid_body_sim_gtests ${target})
+  if(NOT ARG_WITHOUT_LIBRARIES)
     file(APPEND ${CMAKE_BINARY_DIR}/gtests.txt "${target}\n")
   endif()
 endfunction()
@@ -86,14 +81,13 @@ rigid_body_sim_gtest(trade FOLDERS tools/trade LIBRARIES rigid_body_sim_tools)
 target_compile_definitions(rigid_body_sim_test_trade PRIVATE ${program_definitions})
 add_dependencies(rigid_body_sim_test_trade rigid_body_sim_trade)
 
-# Boost and GSL are other people's elliptic functions to compare with; nothing else needs them. Not
-# for sanitizers: Boost's take the compiler long, and ours are functions of numbers, without memory.
+# Boost and GSL are other people's elliptic functions to compare with; nothing else needs them.
 find_package(GSL REQUIRED)
 rigid_body_sim_gtest(elliptic
-  UNSANITIZED FOLDERS math/elliptic LIBRARIES rigid_body_sim_core GSL::gsl)
+  WITHOUT_LIBRARIES FOLDERS math/elliptic LIBRARIES rigid_body_sim_core GSL::gsl)
 rigid_body_sim_gtest(extremes
   SOURCES test/extremes/test_extremes.cpp LIBRARIES rigid_body_sim_extreme_cases)
 rigid_body_sim_gtest(apart
-  SOURCES test/extremes/apart.cpp test/extremes/test_apart.cpp LIBRARIES rigid_body_sim_options)
+  WITHOUT_LIBRARIES SOURCES test/extremes/apart.cpp test/extremes/test_apart.cpp LIBRARIES rigid_body_sim_options)
 
 include(test/rostests.cmake)

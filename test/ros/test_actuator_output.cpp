@@ -48,7 +48,7 @@ Vector3d spanOf(const Marker& arrow) { return fromPoint(arrow.points.at(1)) - ta
 /// [rad] How far the blade has turned about the direction of the rotor.
 double turnOf(const Marker& blade) {
   const geometry_msgs::Quaternion& q = blade.pose.orientation;
-  const Quaterniond at_rest = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d::UnitX());
+  const Quaterniond at_rest(std::sqrt(0.5), 0, std::sqrt(0.5), 0);  // from z to x
   const Eigen::AngleAxisd turn(at_rest.conjugate() * Quaterniond(q.w, q.x, q.y, q.z));
   return turn.angle() * turn.axis().z();
 }
@@ -94,6 +94,18 @@ TEST_F(ActuatorOutput, ShowsRotorsThatTurnInTheirSense) {
   readings[1].speed = 30;  // 20 rad/s in the mean
   EXPECT_NEAR(std::remainder(turnOf(rotors.at(1.1, readings).at(0)) - start, 2 * std::acos(-1)),
               -1.5, 1e-12);
+}
+
+TEST_F(ActuatorOutput, ShowsRotorsAcrossTheirDirection) {
+  for (const Vector3d& direction :
+       {Vector3d(0, 0, 1), Vector3d(0, 0, -1), Vector3d(0.48, -0.6, 0.64), Vector3d(0, 0.6, -0.8)}) {
+    Body turned = body;
+    std::get<Rotor>(turned.actuators[1].kind).direction_B = direction;
+    const Marker disc = RotorMarkers("frame", turned).at(0, readings).at(1);
+    const geometry_msgs::Quaternion& q = disc.pose.orientation;
+    const Vector3d across = rotate(Quaterniond(q.w, q.x, q.y, q.z), Vector3d(0, 0, 1));
+    EXPECT_LT((across - direction).norm(), 1e-14);
+  }
 }
 
 TEST_F(ActuatorOutput, ShowsRotorsAsLargeAsAPropellerOfTheirThrust) {

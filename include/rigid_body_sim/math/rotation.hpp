@@ -1,11 +1,29 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include <rigid_body_sim/math/types.hpp>
 
 namespace rigid_body_sim {
+
+/// |v| of a finite v without overflow or underflow between: m |v/m| with the largest component m.
+template <class T>
+T stableNorm(const Vector3<T>& v) {
+  using std::abs;
+  using std::sqrt;
+  const T largest = std::max({abs(v.x()), abs(v.y()), abs(v.z())});
+  if (!(largest > T(0))) return abs(v.x()) + abs(v.y()) + abs(v.z());  // zero, or not a number
+  T scale = largest, inverse = T(1) / largest;
+  if (inverse > std::numeric_limits<T>::max()) {
+    inverse = std::numeric_limits<T>::max();
+    scale = T(1) / inverse;
+  }
+  const T x = v.x() * inverse, y = v.y() * inverse, z = v.z() * inverse;
+  return scale * sqrt(x * x + y * y + z * z);
+}
 
 /// Unit quaternion of the rotation by |theta| [rad] about theta:
 ///   (cos(|theta|/2), sin(|theta|/2) theta/|theta|).
@@ -14,7 +32,7 @@ template <class T>
 Quaternion<T> rotationExp(const Vector3<T>& theta) {
   using std::cos;
   using std::sin;
-  const T angle = theta.stableNorm();
+  const T angle = stableNorm(theta);
   if (!(angle > T(0))) return Quaternion<T>::Identity();
   const T half = angle / T(2);
   const T s = sin(half) / angle;
@@ -52,7 +70,8 @@ Vector3<T> rotateBack(const Quaternion<T>& q, const Vector3<T>& v) {
 /// no more than 1e-3. The margin is a few roundings of the norm: 1 − 0.999 comes out above 0.001.
 inline bool isNearlyUnit(const Quaterniond& q) {
   constexpr double kMargin = 1e-15;
-  return std::abs(q.coeffs().stableNorm() - 1) <= 1e-3 + kMargin;
+  const double norm = std::hypot(std::hypot(q.x(), q.y(), q.z()), q.w());
+  return std::abs(norm - 1) <= 1e-3 + kMargin;
 }
 
 /// A quaternion whose norm is off 1 by e comes back off by 3e²/2: one Newton step of 1/sqrt,

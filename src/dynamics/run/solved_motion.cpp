@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <rigid_body_sim/math/rotation.hpp>
+
 namespace rigid_body_sim {
 namespace {
 
@@ -62,7 +64,7 @@ SolvedMotion::SolvedMotion(const SolvedProblem& problem, double t, const BodySta
   }
   // [rad] the angle is reduced in 64 bits, 5e-20 of it: beyond, 1e-4 rad are lost
   constexpr double kMaxTurn = 1e15;
-  valid_until_ = t + kMaxTurn / angularVelocity(problem.body.inv_I, state.L_P).stableNorm();
+  valid_until_ = t + kMaxTurn / stableNorm(angularVelocity(problem.body.inv_I, state.L_P));
 }
 
 void SolvedMotion::anchorAnew(const SolvedProblem& same_problem, double t, const BodyState& state,

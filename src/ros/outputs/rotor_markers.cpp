@@ -13,9 +13,16 @@ namespace {
 
 using visualization_msgs::Marker;
 
+/// The shortest turn that takes the axis z to the unit vector d.
+Quaterniond turnFromZ(const Vector3d& d) {
+  constexpr double kOpposite = 1e-8;  // 1 + cos of an angle this far from a half turn rounds to zero
+  if (1 + d.z() < kOpposite) return {0, 1, 0, 0};
+  return Quaterniond(1 + d.z(), -d.y(), d.x(), 0).normalized();
+}
+
 Marker rotorMarker(const char* name_space, int type, const std::string& body_frame,
                    const Rotor& rotor, double angle, const Vector3d& size, float opacity) {
-  const Quaterniond along = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), rotor.direction_B);
+  const Quaterniond along = turnFromZ(rotor.direction_B);
   const Quaterniond turned(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
   Marker marker;
   marker.ns = name_space;
