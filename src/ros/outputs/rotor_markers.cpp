@@ -15,7 +15,8 @@ using visualization_msgs::Marker;
 
 /// The shortest turn that takes the axis z to the unit vector d.
 Quaterniond turnFromZ(const Vector3d& d) {
-  constexpr double kOpposite = 1e-8;  // 1 + cos of an angle this far from a half turn rounds to zero
+  constexpr double kOpposite =
+      1e-8;  // 1 + cos of an angle this far from a half turn rounds to zero
   if (1 + d.z() < kOpposite) return {0, 1, 0, 0};
   return Quaterniond(1 + d.z(), -d.y(), d.x(), 0).normalized();
 }
