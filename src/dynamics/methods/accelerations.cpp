@@ -42,4 +42,17 @@ std::vector<BodyMotion> motionsOf(const System& system, const SystemState& state
   return motions;
 }
 
+std::vector<BodyMotion> restOf(const System& system, const SystemState& states) {
+  std::vector<BodyMotion> motions(states.bodies.size());
+  for (BodyMotion& motion : motions) motion.acceleration.g_W = system.g_W;
+  std::vector<Wrench> torques(motions.size());  // of gravity, which others balance
+  for (const auto& law : system.laws)
+    if (law->gravityCenter()) addGravity(system, states, *law, torques, motions);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    motions[i].state = states.bodies[i];
+    motions[i].acceleration.felt_W = -motions[i].acceleration.g_W;
+  }
+  return motions;
+}
+
 }  // namespace rigid_body_sim

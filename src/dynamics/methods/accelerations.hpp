@@ -8,4 +8,8 @@ namespace rigid_body_sim {
 /// evaluation of every wrench, with the forces of gravity kept apart.
 std::vector<BodyMotion> motionsOf(const System& system, const SystemState& states);
 
+/// The same of bodies that rest at these states: they do not accelerate, though the laws balance to
+/// no more than a bound, and nothing but gravity is evaluated.
+std::vector<BodyMotion> restOf(const System& system, const SystemState& states);
+
 }  // namespace rigid_body_sim
