@@ -124,25 +124,33 @@ std::vector<std::size_t> movingBodies(const World& world) {
   return moving;
 }
 
-LawTable::LawTable(const World& world) : of_body_(world.bodies.size()) {
+LawTable::LawTable(const World& world)
+    : constant_(std::make_shared<const Constant>(constantOf(world))) {
+  if (!ofPairs().empty()) of_body_ = constant_->of_body;
+}
+
+LawTable::Constant LawTable::constantOf(const World& world) {
+  Constant constant;
+  constant.of_body.resize(world.bodies.size());
   for (std::size_t i = 0; i < world.laws.size(); ++i) {
     const ForceLaw& law = *world.laws[i];
-    first_state_.push_back(state_count_);
-    state_count_ += law.stateCount();
-    if (law.needs() & kContact) contacts_.push_back(i);
+    constant.first_state.push_back(constant.state_count);
+    constant.state_count += law.stateCount();
+    if (law.needs() & kContact) constant.contacts.push_back(i);
     if (law.guardCount() > 0 && std::isfinite(law.touchRadius(0))) {
-      of_pairs_.push_back(i);
+      constant.of_pairs.push_back(i);
       continue;
     }
-    if (law.guardCount() > 0) guarded_.push_back(i);
-    for (std::size_t body : law.members()) of_body_[body].push_back(i);
+    if (law.guardCount() > 0) constant.guarded.push_back(i);
+    for (std::size_t body : law.members()) constant.of_body[body].push_back(i);
   }
+  return constant;
 }
 
 void LawTable::setCandidates(const World& world, const std::vector<std::size_t>& laws) {
   if (laws == candidates_) return;
   const auto isOfPair = [this](std::size_t law) {
-    return std::binary_search(of_pairs_.begin(), of_pairs_.end(), law);
+    return std::binary_search(ofPairs().begin(), ofPairs().end(), law);
   };
   const auto clear = [&](std::size_t body) {
     std::vector<std::size_t>& of = of_body_[body];
@@ -156,9 +164,9 @@ void LawTable::setCandidates(const World& world, const std::vector<std::size_t>&
 }
 
 std::vector<double> LawTable::start(const World& world) const {
-  std::vector<double> states(state_count_);
+  std::vector<double> states(stateCount());
   for (std::size_t i = 0; i < world.laws.size(); ++i)
-    if (world.laws[i]->stateCount() > 0) world.laws[i]->setStart(states.data() + first_state_[i]);
+    if (world.laws[i]->stateCount() > 0) world.laws[i]->setStart(states.data() + firstState(i));
   return states;
 }
 

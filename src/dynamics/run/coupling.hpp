@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -29,35 +30,42 @@ class LawTable {
   explicit LawTable(const World& world);
 
   /// Of a law's own states, in State::laws.
-  std::size_t firstState(std::size_t law) const { return first_state_[law]; }
-  std::size_t stateCount() const { return state_count_; }
+  std::size_t firstState(std::size_t law) const { return constant_->first_state[law]; }
+  std::size_t stateCount() const { return constant_->state_count; }
 
   /// Laws of which a body is a member; of those that need it to be near another one
   /// (ForceLaw::touchRadius), the ones put by setCandidates.
-  const std::vector<std::size_t>& of(std::size_t body) const { return of_body_[body]; }
+  const std::vector<std::size_t>& of(std::size_t body) const {
+    return ofPairs().empty() ? constant_->of_body[body] : of_body_[body];
+  }
 
   /// Laws that need two bodies to be near each other, ascending; all, and
   /// those of bodies that may come near each other for now.
-  const std::vector<std::size_t>& ofPairs() const { return of_pairs_; }
+  const std::vector<std::size_t>& ofPairs() const { return constant_->of_pairs; }
   const std::vector<std::size_t>& candidates() const { return candidates_; }
   void setCandidates(const World& world, const std::vector<std::size_t>& laws);
 
   /// Other laws with guards, that may begin to act while they do not.
-  const std::vector<std::size_t>& guarded() const { return guarded_; }
+  const std::vector<std::size_t>& guarded() const { return constant_->guarded; }
 
   /// Those of them that are contacts.
-  const std::vector<std::size_t>& contacts() const { return contacts_; }
+  const std::vector<std::size_t>& contacts() const { return constant_->contacts; }
 
   /// As the laws start.
   std::vector<double> start(const World& world) const;
 
  private:
-  std::vector<std::size_t> first_state_;
-  std::size_t state_count_ = 0;
-  std::vector<std::vector<std::size_t>> of_body_;
-  std::vector<std::size_t> guarded_;
-  std::vector<std::size_t> contacts_;
-  std::vector<std::size_t> of_pairs_, candidates_;
+  struct Constant {
+    std::vector<std::size_t> first_state;  // of each law
+    std::size_t state_count = 0;
+    std::vector<std::vector<std::size_t>> of_body;  // without laws of pairs
+    std::vector<std::size_t> guarded, contacts, of_pairs;
+  };
+  static Constant constantOf(const World& world);
+
+  std::shared_ptr<const Constant> constant_;
+  std::vector<std::vector<std::size_t>> of_body_;  // with candidates; empty without laws of pairs
+  std::vector<std::size_t> candidates_;
 };
 
 /// Groups those bodies that the laws and wrenches which act now link with one another. bodies: all

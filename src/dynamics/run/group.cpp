@@ -33,6 +33,7 @@ Group::Group(const World& world, const LawTable& laws, const CoupledBodies& bodi
   if (system_.has_contact) system_.event_precision = eventPrecision(system_);
   if (choice.method) stepper_.emplace(choice, tolerance, system_);
   gatherWrenches(schedules);
+  next_ = present_;
 }
 
 /// Parts the laws by what they ask of an integrator.
@@ -157,7 +158,6 @@ void Group::advance(double t, double t_end, std::vector<WrenchSchedule>& schedul
 template <class Meter>
 void Group::advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules,
                            Meter& meter) {
-  next_.bodies.resize(present_.bodies.size());
   std::copy(present_.bodies.begin(), present_.bodies.end(), next_.bodies.begin());
   if (!present_.laws.empty()) {
     next_.laws = present_.laws;
