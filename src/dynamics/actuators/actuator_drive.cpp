@@ -1,6 +1,7 @@
 #include "dynamics/actuators/actuator_drive.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rigid_body_sim {
@@ -13,30 +14,20 @@ ActuatorDrive::Lag& lagOf(double rate, std::vector<ActuatorDrive::Lag>& lags) {
   return lags.back();
 }
 
-/// What acts by e = u + δ ε.
-void addThruster(const ActuatorEntry& entry, double u, double delta, ActuatorDrive& drive) {
-  drive.f_0 += u * entry.force_P;
-  drive.tau_0 += u * entry.torque_P;
-  if (delta == 0) return;
+/// Adds an actuator by its x and y (see ActuatorEntry), as polynomials of an ε that its lag lets
+/// die away:  x = x[0] + x[1] ε + x[2] ε²,  y = y[0] + y[1] ε
+void addLagging(const ActuatorEntry& entry, const std::array<double, 3>& x,
+                const std::array<double, 2>& y, ActuatorDrive& drive) {
+  drive.f_0 += x[0] * entry.force_P;
+  drive.tau_0 += x[0] * entry.torque_P;
+  drive.H_0 += y[0] * entry.momentum_P;
+  if (x[1] == 0 && x[2] == 0 && y[1] == 0) return;
   ActuatorDrive::Lag& lag = lagOf(1 / entry.time_constant, drive.lags);
-  lag.f_1 += delta * entry.force_P;
-  lag.tau_1 += delta * entry.torque_P;
-}
-
-/// sign: of the speed.
-void addRotor(const ActuatorEntry& entry, double u, double delta, double sign,
-              ActuatorDrive& drive) {
-  const double steady = sign * u * u, first = sign * 2 * u * delta, second = sign * delta * delta;
-  drive.f_0 += steady * entry.force_P;
-  drive.tau_0 += steady * entry.torque_P;
-  drive.H_0 += u * entry.momentum_P;
-  if (delta == 0) return;
-  ActuatorDrive::Lag& lag = lagOf(1 / entry.time_constant, drive.lags);
-  lag.f_1 += first * entry.force_P;
-  lag.tau_1 += first * entry.torque_P;
-  lag.f_2 += second * entry.force_P;
-  lag.tau_2 += second * entry.torque_P;
-  lag.H_2 += delta * entry.momentum_P;
+  lag.f_1 += x[1] * entry.force_P;
+  lag.tau_1 += x[1] * entry.torque_P;
+  lag.f_2 += x[2] * entry.force_P;
+  lag.tau_2 += x[2] * entry.torque_P;
+  lag.H_2 += y[1] * entry.momentum_P;
 }
 
 }  // namespace
@@ -49,15 +40,17 @@ ActuatorDrive driveOf(const ActuatorTable& table, const std::vector<ActuatorStat
     const ActuatorEntry& entry = table[k];
     const ActuatorState& state = states[k];
     const double value = valueOf(entry, state, drive.start), u = state.command;
+    const double delta = value - u;
     if (entry.kind == ActuatorEntry::Kind::kWheel) {
       drive.H_0 += value * entry.momentum_P;
       drive.H_1 += u * entry.momentum_P;
     } else if (entry.kind == ActuatorEntry::Kind::kThruster) {
-      addThruster(entry, u, value - u, drive);
+      addLagging(entry, {u, delta, 0}, {0, 0}, drive);
     } else {
       // by the value at which it set out: one that is about to pass zero may have rounded beyond
       const double sign = std::copysign(1.0, state.value != 0 ? state.value : u);
-      addRotor(entry, u, value - u, sign, drive);
+      addLagging(entry, {sign * u * u, sign * 2 * u * delta, sign * delta * delta}, {u, delta},
+                 drive);
     }
   }
   return drive;
