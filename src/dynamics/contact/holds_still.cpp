@@ -48,10 +48,10 @@ bool Patch::holdsStill(const Pose& pose, const double* own, const Stray& stray) 
   if (!(normal > 0) || (at.mode & (kSlips | kRolls)) != 0) return false;
   const auto pair = [own](Own first) { return Eigen::Vector2d(own[first], own[first + 1]); };
   if (bristle_.exists() &&
-      !sticks(bristle_, pair(kSlide), at.v, place, speed, c_.friction * normal))
+      !sticks(bristle_, pair(kSlideStretch), at.v, place, speed, c_.friction * normal))
     return false;
   if (spins() && !holdsSpin(at, own, stray, loss)) return false;
-  return !rolling_.exists() || sticks(rolling_, pair(kRoll), at.roll, stray.turn, stray.spin,
+  return !rolling_.exists() || sticks(rolling_, pair(kRollStretch), at.roll, stray.turn, stray.spin,
                                       c_.rolling_friction * normal);
 }
 
@@ -60,12 +60,12 @@ bool Patch::holdsSpin(const Now& at, const double* own, const Stray& stray, doub
   if (at.mode & kSpins) {
     // one point alone, without friction about the normal; what its bristle holds has died away
     constexpr double kNothing = 1e-12;
-    return at.spread == 0 && spinning_.stiffness * std::abs(own[kSpin]) <=
+    return at.spread == 0 && spinning_.stiffness * std::abs(own[kSpinStretch]) <=
                                  kNothing * c_.friction * at.normal * feature_.radius;
   }
   // the centre of pressure moves by at most 2 R loss/N
   const double spread = at.spread - 4 * feature_.radius * loss;
-  return sticks(spinning_, Vector1d(own[kSpin]), Vector1d(at.spin), stray.turn, stray.spin,
+  return sticks(spinning_, Vector1d(own[kSpinStretch]), Vector1d(at.spin), stray.turn, stray.spin,
                 c_.friction * spread);
 }
 

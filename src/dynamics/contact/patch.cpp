@@ -70,17 +70,17 @@ void Patch::placeFriction(const Pose& pose, Now& now) const {
 }
 
 BristlePull<Vector2d> Patch::slide(const Now& now, const double* own) const {
-  return {bristle_, planePair(own + kSlide), now.v, c_.friction * now.normal,
+  return {bristle_, planePair(own + kSlideStretch), now.v, c_.friction * now.normal,
           (now.mode & kSlips) != 0};
 }
 
 BristlePull<Patch::Vector1d> Patch::spin(const Now& now, const double* own) const {
-  return {spinning_, Vector1d(own[kSpin]), Vector1d(now.spin), c_.friction * now.spread,
+  return {spinning_, Vector1d(own[kSpinStretch]), Vector1d(now.spin), c_.friction * now.spread,
           (now.mode & kSpins) != 0};
 }
 
 BristlePull<Vector2d> Patch::roll(const Now& now, const double* own) const {
-  return {rolling_, planePair(own + kRoll), now.roll, c_.rolling_friction * now.normal,
+  return {rolling_, planePair(own + kRollStretch), now.roll, c_.rolling_friction * now.normal,
           (now.mode & kRolls) != 0};
 }
 
@@ -128,21 +128,21 @@ void Patch::setRates(const Pose& pose, const double* own, double* rates) const {
 void Patch::setRatesOf(const Now& at, const double* own, double* rates) const {
   if (bristle_.exists()) {
     const Vector2d rate = slide(at, own).rate;
-    std::copy_n(rate.data(), 2, rates + kSlide);
+    std::copy_n(rate.data(), 2, rates + kSlideStretch);
   }
-  if (spins()) rates[kSpin] = spin(at, own).rate[0];
+  if (spins()) rates[kSpinStretch] = spin(at, own).rate[0];
   if (rolling_.exists()) {
     const Vector2d rate = roll(at, own).rate;
-    std::copy_n(rate.data(), 2, rates + kRoll);
+    std::copy_n(rate.data(), 2, rates + kRollStretch);
   }
 }
 
 double Patch::potentialEnergy(const Pose& pose, const double* own) const {
   if (!touches(modeOf(own))) return 0;
   const Now at = now(pose, own);
-  double energy = 0.5 * (bristle_.stiffness * planePair(own + kSlide).squaredNorm() +
-                         spinning_.stiffness * own[kSpin] * own[kSpin] +
-                         rolling_.stiffness * planePair(own + kRoll).squaredNorm());
+  double energy = 0.5 * (bristle_.stiffness * planePair(own + kSlideStretch).squaredNorm() +
+                         spinning_.stiffness * own[kSpinStretch] * own[kSpinStretch] +
+                         rolling_.stiffness * planePair(own + kRollStretch).squaredNorm());
   for (std::size_t j = 0; j < at.count; ++j)
     if (at.mode & (kTouches << j)) energy += at.point[j].energy(c_);
   return energy;
@@ -154,9 +154,12 @@ double Patch::externalPower(const Pose& pose, const double* own) const {
   double power = 0;
   for (std::size_t j = 0; j < at.count; ++j)
     if (at.mode & (kTouches << j)) power += at.point[j].externalPower(c_);
-  if (bristle_.exists()) power += slide(at, own).power(bristle_, planePair(own + kSlide), at.v);
-  if (spins()) power += spin(at, own).power(spinning_, Vector1d(own[kSpin]), Vector1d(at.spin));
-  if (rolling_.exists()) power += roll(at, own).power(rolling_, planePair(own + kRoll), at.roll);
+  if (bristle_.exists())
+    power += slide(at, own).power(bristle_, planePair(own + kSlideStretch), at.v);
+  if (spins())
+    power += spin(at, own).power(spinning_, Vector1d(own[kSpinStretch]), Vector1d(at.spin));
+  if (rolling_.exists())
+    power += roll(at, own).power(rolling_, planePair(own + kRollStretch), at.roll);
   return power;
 }
 
@@ -211,19 +214,19 @@ void Patch::setGuards(const Pose& pose, const double* own, double* guards) const
   const double margin = Bristles::margin(mass_);
   if (bristle_.exists())
     of_bristles[0] = guard(kSlips,
-                           BristlePull<Vector2d>::excess(bristle_, planePair(own + kSlide), at.v,
-                                                         c_.friction * at.normal),
+                           BristlePull<Vector2d>::excess(bristle_, planePair(own + kSlideStretch),
+                                                         at.v, c_.friction * at.normal),
                            margin);
   if (spins())
     of_bristles[1] =
         guard(kSpins,
-              BristlePull<Vector1d>::excess(spinning_, Vector1d(own[kSpin]), Vector1d(at.spin),
-                                            c_.friction * at.spread),
+              BristlePull<Vector1d>::excess(spinning_, Vector1d(own[kSpinStretch]),
+                                            Vector1d(at.spin), c_.friction * at.spread),
               margin * feature_.radius);
   if (rolling_.exists())
     of_bristles[2] = guard(kRolls,
-                           BristlePull<Vector2d>::excess(rolling_, planePair(own + kRoll), at.roll,
-                                                         c_.rolling_friction * at.normal),
+                           BristlePull<Vector2d>::excess(rolling_, planePair(own + kRollStretch),
+                                                         at.roll, c_.rolling_friction * at.normal),
                            margin * lever_);
 }
 

@@ -22,7 +22,7 @@ struct Plane {
 class Patch {
  public:
   /// Its states: the modes as a sum of bits, and the stretches of its bristles.
-  enum Own : std::size_t { kMode, kSlide, kSpin = 3, kRoll, kOwnCount = 6 };
+  enum Own : std::size_t { kMode, kSlideStretch, kSpinStretch = 3, kRollStretch, kOwnCount = 6 };
 
   /// mass [kg]: of the body.
   Patch(const Feature& feature, const ContactParameters& parameters, double mass);
