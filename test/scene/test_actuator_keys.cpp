@@ -1,4 +1,7 @@
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -10,33 +13,36 @@ namespace {
 /// The scene of one box with actuators; those of the text follow from line 6.
 Scene withActuators(const std::string& text) { return parseScene(boxScene(text), "s.yaml"); }
 
-ThrusterDef thrusterOf(const std::string& keys) {
-  return withActuators("    thrusters: {main: {" + keys + "}}\n").bodies[0].actuators.thrusters[0];
+std::string thrusterText(const std::string& keys) {
+  return "    thrusters: {main: {" + keys + "}}\n";
 }
 
-std::string thrusterError(const std::string& keys) {
-  return boxError("    thrusters: {main: {" + keys + "}}\n");
+std::string rotorText(const std::string& keys) { return "    rotors: {left: {" + keys + "}}\n"; }
+
+std::string wheelText(const std::string& keys) { return "    wheels: {roll: {" + keys + "}}\n"; }
+
+ThrusterDef thrusterOf(const std::string& keys) {
+  return withActuators(thrusterText(keys)).bodies[0].actuators.thrusters[0];
 }
 
 RotorDef rotorOf(const std::string& keys) {
-  return withActuators("    rotors: {left: {" + keys + "}}\n").bodies[0].actuators.rotors[0];
-}
-
-std::string rotorError(const std::string& keys) {
-  return boxError("    rotors: {left: {" + keys + "}}\n");
+  return withActuators(rotorText(keys)).bodies[0].actuators.rotors[0];
 }
 
 WheelDef wheelOf(const std::string& keys) {
-  return withActuators("    wheels: {roll: {" + keys + "}}\n").bodies[0].actuators.wheels[0];
+  return withActuators(wheelText(keys)).bodies[0].actuators.wheels[0];
 }
 
-std::string wheelError(const std::string& keys) {
-  return boxError("    wheels: {roll: {" + keys + "}}\n");
+/// Keys of one actuator, or of a command, and the line that refuses them.
+using Refusals = std::vector<std::pair<std::string, std::string>>;
+
+void expectRefused(std::string (*textOf)(const std::string& keys), const Refusals& refusals) {
+  for (const auto& [keys, line] : refusals) EXPECT_EQ(boxError(textOf(keys)), line) << keys;
 }
 
-/// A box with a thruster, main, on line 6; commands follow from line 8.
-std::string commandError(const std::string& keys) {
-  return errorOf(boxScene("    thrusters: {main: {}}\ncommands:\n  - {" + keys + "}\n"));
+/// A thruster, main, on line 6, and a command on line 8.
+std::string commandText(const std::string& keys) {
+  return thrusterText("") + "commands:\n  - {" + keys + "}\n";
 }
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
@@ -70,24 +76,25 @@ TEST(ThrusterKeys, AreRead) {
 TEST(ThrusterKeys, AreOfAnyNonzeroLengthOfDirection) {
   EXPECT_EQ(thrusterOf("direction: [0, -1.0e-300, 0]").direction, Vector3d(0, -1, 0));
   EXPECT_EQ(thrusterOf("direction: [1.0e+300, 0, 0]").direction, Vector3d(1, 0, 0));
-  EXPECT_EQ(thrusterError("direction: [0, 0, 0]"),
+  EXPECT_EQ(boxError(thrusterText("direction: [0, 0, 0]")),
             kThruster + ".direction must not be zero, got [0, 0, 0]");
 }
 
 TEST(ThrusterKeys, FollowTheirRules) {
-  EXPECT_EQ(thrusterError("limits: [2, 1]"),
-            kThruster + ".limits must be [lowest, highest] [N], the lower first, got [2, 1]");
-  EXPECT_EQ(thrusterError("limits: 3"), kThruster + ".limits must be [lowest, highest] [N], got 3");
-  EXPECT_EQ(thrusterError("limits: [.inf, .inf]"),
-            kThruster +
-                ".limits must be [lowest, highest] [N], not both infinite alike, got [.inf, .inf]");
-  EXPECT_EQ(thrusterError("limits: [0, .nan]"),
-            kThruster + ".limits[1] must be a number, -.inf or .inf [N], got .nan");
-  EXPECT_EQ(thrusterError("time_constant: 0"), kThruster + ".time_constant must be > 0 s, got 0");
-  EXPECT_EQ(thrusterError("turns: cw"),
-            kAtBox +
-                "unknown key 'thrusters.main.turns' (known: position, direction, limits, "
-                "time_constant)");
+  expectRefused(
+      thrusterText,
+      {{"limits: [2, 1]",
+        kThruster + ".limits must be [lowest, highest] [N], the lower first, got [2, 1]"},
+       {"limits: 3", kThruster + ".limits must be [lowest, highest] [N], got 3"},
+       {"limits: [.inf, .inf]",
+        kThruster +
+            ".limits must be [lowest, highest] [N], not both infinite alike, got [.inf, .inf]"},
+       {"limits: [0, .nan]",
+        kThruster + ".limits[1] must be a number, -.inf or .inf [N], got .nan"},
+       {"time_constant: 0", kThruster + ".time_constant must be > 0 s, got 0"},
+       {"turns: cw", kAtBox +
+                         "unknown key 'thrusters.main.turns' (known: position, direction, limits, "
+                         "time_constant)"}});
 }
 
 TEST(RotorKeys, HaveDefaults) {
@@ -117,19 +124,18 @@ TEST(RotorKeys, AreRead) {
 }
 
 TEST(RotorKeys, FollowTheirRules) {
-  EXPECT_EQ(rotorError("thrust: 1"), kAtBox + "missing key 'rotors.left.turns'");
-  EXPECT_EQ(rotorError("turns: left, thrust: 1"),
-            kRotor + ".turns must be cw or ccw, as seen against the direction, got left");
-  EXPECT_EQ(rotorError("turns: cw, thrust: -1"),
-            kRotor + ".thrust must be >= 0 N s^2/rad^2, got -1");
-  EXPECT_EQ(rotorError("turns: cw, thrust: 1, inertia: 1"),
-            kRotor +
-                ".inertia needs time_constant: without one the speed jumps with the command, "
-                "and the body with it, got 1");
-  EXPECT_EQ(rotorError("turns: cw, thrust: 1, speed: 1"),
-            kRotor +
-                ".speed needs time_constant: without one the speed is always that of the "
-                "command, got 1");
+  expectRefused(
+      rotorText,
+      {{"thrust: 1", kAtBox + "missing key 'rotors.left.turns'"},
+       {"turns: left, thrust: 1",
+        kRotor + ".turns must be cw or ccw, as seen against the direction, got left"},
+       {"turns: cw, thrust: -1", kRotor + ".thrust must be >= 0 N s^2/rad^2, got -1"},
+       {"turns: cw, thrust: 1, inertia: 1",
+        kRotor + ".inertia needs time_constant: without one the speed jumps with the command, "
+                 "and the body with it, got 1"},
+       {"turns: cw, thrust: 1, speed: 1",
+        kRotor + ".speed needs time_constant: without one the speed is always that of the "
+                 "command, got 1"}});
 }
 
 TEST(WheelKeys, AreRead) {
@@ -142,9 +148,9 @@ TEST(WheelKeys, AreRead) {
 }
 
 TEST(WheelKeys, FollowTheirRules) {
-  EXPECT_EQ(wheelError("inertia: 1"), kAtBox + "missing key 'wheels.roll.axis'");
-  EXPECT_EQ(wheelError("axis: [1, 0, 0], inertia: 0"),
-            kWheel + ".inertia must be > 0 kg m^2, got 0");
+  expectRefused(wheelText,
+                {{"inertia: 1", kAtBox + "missing key 'wheels.roll.axis'"},
+                 {"axis: [1, 0, 0], inertia: 0", kWheel + ".inertia must be > 0 kg m^2, got 0"}});
 }
 
 TEST(Actuators, HaveNamesThatNoOtherOfTheirBodyHas) {
@@ -180,15 +186,17 @@ TEST(ScheduledCommands, AreRead) {
 }
 
 TEST(ScheduledCommands, FollowTheirRules) {
-  EXPECT_EQ(commandError("body: box, actuator: main"), kCommand + "missing key 'value'");
-  EXPECT_EQ(commandError("body: box, actuator: main, value: .nan"),
-            kCommand + "value must be a finite number [N, rad/s or N m], got .nan");
-  EXPECT_EQ(commandError("body: box, actuator: main, value: 1, start: -1"),
-            kCommand + "start must be >= 0 s, got -1");
-  EXPECT_EQ(commandError("body: bix, actuator: main, value: 1"),
-            kCommand + "unknown body 'bix' (known: box); did you mean 'box'?");
-  EXPECT_EQ(commandError("body: box, actuator: mein, value: 1"),
-            kCommand + "unknown actuator 'mein' of body 'box' (known: main); did you mean 'main'?");
+  expectRefused(
+      commandText,
+      {{"body: box, actuator: main", kCommand + "missing key 'value'"},
+       {"body: box, actuator: main, value: .nan",
+        kCommand + "value must be a finite number [N, rad/s or N m], got .nan"},
+       {"body: box, actuator: main, value: 1, start: -1",
+        kCommand + "start must be >= 0 s, got -1"},
+       {"body: bix, actuator: main, value: 1",
+        kCommand + "unknown body 'bix' (known: box); did you mean 'box'?"},
+       {"body: box, actuator: mein, value: 1",
+        kCommand + "unknown actuator 'mein' of body 'box' (known: main); did you mean 'main'?"}});
 }
 
 }  // namespace rigid_body_sim
