@@ -50,7 +50,6 @@ void Run::place(const State& start, bool scheduled) {
 void Run::advance(ExchangeMeter* meter) {
   const double t_end = static_cast<double>(now_.steps + 1) * now_.world->solver.time_step;
   const double known_beyond = meter ? std::numeric_limits<double>::infinity() : t_end;
-  step_.start();
   try {
     if (grouping_.mayChangeBy(t_end))
       LinkingStep(now_, grouping_, contacts_, step_, t_end, meter).advance();
@@ -59,7 +58,7 @@ void Run::advance(ExchangeMeter* meter) {
       step_.beginGroup(g, t_end, now_.groups, now_.schedules);
       now_.advance(now_.groups[g], t_end, now_.schedules, meter);
     }
-  } catch (const SimulationDiverged&) {
+  } catch (...) {
     takeBack();
     throw;
   }
@@ -74,8 +73,11 @@ void Run::takeBack() {
 }
 
 void Run::accept(double t_end) {
-  if (step_.hasRegrouped()) grouping_.findNextLink(now_);
-  const std::vector<std::size_t> switched = step_.accept(t_end, now_.groups, now_.schedules);
+  std::vector<std::size_t> switched;
+  if (step_.hasBegun()) {
+    if (step_.hasRegrouped()) grouping_.findNextLink(now_);
+    switched = step_.accept(t_end, now_.groups, now_.schedules);
+  }
   now_.time = t_end;
   ++now_.steps;
   if (!switched.empty()) grouping_.regroup(now_, switched, t_end);

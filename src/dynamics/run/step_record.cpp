@@ -4,7 +4,7 @@
 
 namespace rigid_body_sim {
 
-void StepRecord::start() {
+void StepRecord::clear() {
   advanced_.clear();
   scheduled_.clear();
   regrouped_.clear();
@@ -50,7 +50,7 @@ std::vector<std::size_t> StepRecord::accept(double t_end, Groups& groups,
       switched.insert(switched.end(), members.begin(), members.end());
     }
   }
-  regrouped_.clear();
+  clear();
   return switched;
 }
 
@@ -64,6 +64,7 @@ void StepRecord::takeBack(const World& world, Groups& groups,
     law_states = law_states_;
   }
   for (std::size_t g = 0; g < groups.size(); ++g) groups.findKnownOrRest(g, schedules);
+  clear();
 }
 
 /// Where groups were linked or parted in the step.
@@ -76,7 +77,6 @@ void StepRecord::takeBackGroups(const World& world, Groups& groups,
   groups.setCounts(counts_);
   for (Group& group : groups.all()) group.rollBack(schedules);
   for (Group& found : regrouped_) groups.add(std::move(found), schedules);
-  regrouped_.clear();
 }
 
 }  // namespace rigid_body_sim

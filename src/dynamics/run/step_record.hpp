@@ -6,12 +6,10 @@
 
 namespace rigid_body_sim {
 
-/// What a step has begun, to be accepted or taken back as a whole.
+/// What a step has begun, to be accepted or taken back as a whole; nothing between steps. Memory is
+/// kept from step to step.
 class StepRecord {
  public:
-  /// A step begins. Memory is kept from step to step.
-  void start();
-
   /// Before a group is advanced to t_end [s] or on the way there.
   void beginGroup(std::size_t group, double t_end, Groups& groups,
                   std::vector<WrenchSchedule>& schedules);
@@ -22,6 +20,9 @@ class StepRecord {
   /// Before a group, as the step at `time` [s] found it or formed since, is advanced to an instant
   /// at which it is formed anew.
   void keepGroup(std::size_t group, double time, const Groups& groups);
+
+  /// Whether there is anything to accept: not where all motion is known beforehand.
+  bool hasBegun() const { return !advanced_.empty() || !scheduled_.empty() || hasRegrouped(); }
 
   bool hasRegrouped() const { return !regrouped_.empty(); }
 
@@ -36,6 +37,7 @@ class StepRecord {
  private:
   void takeBackGroups(const World& world, Groups& groups,
                       const std::vector<WrenchSchedule>& schedules);
+  void clear();
 
   std::vector<std::size_t> advanced_;   // groups
   std::vector<std::size_t> scheduled_;  // bodies with an event within the step
