@@ -30,6 +30,59 @@ Roam watchedRoam(const Body& body, const BodyState& state, double g, double radi
           std::min(kFaster * h * w + kSlack, kHalfTurn)};
 }
 
+/// Some times as far as from one state to another.
+Roam roamTo(const BodyState& from, const BodyState& to, double times) {
+  return {from, times * distanceBetween(from, to),
+          std::min(times * angleBetween(from.q_WP, to.q_WP), kHalfTurn)};
+}
+
+/// Of the bodies of a group that is integrated and does not stop on its way, such as on springs:
+/// how fast it will be is not known, so that a copy goes there.
+std::vector<Roam> triedRoams(const Group& group, const std::vector<double>& radius, double t,
+                             double t_end, std::vector<WrenchSchedule> schedules) {
+  constexpr int kLooks = 4;
+  constexpr double kFurther = 1.6, kSlack = 0.02;
+  const std::vector<std::size_t>& members = group.members();
+  std::vector<Roam> roams;
+  for (std::size_t k = 0; k < members.size(); ++k)
+    roams.push_back({group.at(t, k), kSlack * std::max(radius[members[k]], 0.0), kSlack});
+  Group copy = group;
+  try {
+    for (int look = 1; look <= kLooks; ++look) {
+      const double to = t + (t_end - t) * look / kLooks;
+      copy.advance(copy.time(), to, schedules);
+      copy.accept(to);
+      for (std::size_t k = 0; k < members.size(); ++k) {
+        const Roam tried = roamTo(roams[k].from, copy.present().bodies[k], kFurther);
+        roams[k].place = std::max(roams[k].place, tried.place);
+        roams[k].turn = std::max(roams[k].turn, tried.turn);
+      }
+    }
+  } catch (const StepTooLong&) {
+    for (Roam& roam : roams) roam = {roam.from, kUnbounded, kHalfTurn};
+  }
+  return roams;
+}
+
+/// Of the bodies of a group whose motion is known, or that stops where a body goes further.
+std::vector<Roam> roamsOf(const Group& group, const World& world, const std::vector<double>& radius,
+                          double t, double t_end, const std::vector<WrenchSchedule>& schedules) {
+  const std::optional<MotionBound> bound = group.motionBound(schedules);
+  std::vector<Roam> roams;
+  for (std::size_t k = 0; k < group.members().size(); ++k) {
+    const std::size_t body = group.members()[k];
+    const Body& of = world.bodies[body];
+    const BodyState s = group.at(t, k);
+    if (!group.isForeseen())
+      roams.push_back(watchedRoam(of, s, world.g_W.norm(), std::max(radius[body], 0.0), t_end - t));
+    else if (bound && bound->until >= t_end)
+      roams.push_back(boundedRoam(of, s, *bound, t_end - t));
+    else
+      roams.push_back({s, kUnbounded, kHalfTurn});
+  }
+  return roams;
+}
+
 }  // namespace
 
 PairSweep::PairSweep(const World& world, const LawTable& laws) {
@@ -56,19 +109,16 @@ void PairSweep::sweep(const World& world, const Groups& groups,
   const bool all_foreseen = std::all_of(groups.all().begin(), groups.all().end(),
                                         [](const Group& group) { return group.isForeseen(); });
   if (all_foreseen) until_ = std::max(t_end, time + window_);
-  for (std::size_t body = 0; body < world.bodies.size(); ++body) {
-    if (table_->radius[body] < 0) continue;
-    const Group& group = groups.of(body);
-    const double t = std::max(time, group.time()), h = until_ - t;
-    const BodyState s = groups.at(body, t);
-    const Body& of = world.bodies[body];
-    const std::optional<MotionBound> bound = group.motionBound(schedules);
-    if (!group.isForeseen())
-      roams_[body] = watchedRoam(of, s, world.g_W.norm(), table_->radius[body], h);
-    else if (bound && bound->until >= until_)
-      roams_[body] = boundedRoam(of, s, *bound, h);
-    else
-      roams_[body] = {s, kUnbounded, kHalfTurn};
+  for (const Group& group : groups.all()) {
+    const std::vector<std::size_t>& members = group.members();
+    const auto isOfPair = [this](std::size_t body) { return table_->radius[body] >= 0; };
+    if (std::none_of(members.begin(), members.end(), isOfPair)) continue;
+    const double t = std::max(time, group.time());
+    const std::vector<Roam> roams =
+        group.isForeseen() || group.mayStop()
+            ? roamsOf(group, world, table_->radius, t, until_, schedules)
+            : triedRoams(group, table_->radius, t, until_, schedules);
+    for (std::size_t k = 0; k < members.size(); ++k) roams_[members[k]] = roams[k];
   }
   const std::size_t before = candidates_.size();
   findCandidates();

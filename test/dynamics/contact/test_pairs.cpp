@@ -168,5 +168,24 @@ TEST(Pairs, AreFoundOfABodyThatIsStruckWithinTheStep) {
   EXPECT_GT(fine.body(2).p_W.norm(), 0.1);
 }
 
+// A spring drives one ball from rest into the other, within one long step: nothing at its start
+// tells how fast it will be.
+TEST(Pairs, AreFoundOfABodyThatASpringDrives) {
+  Bench bench;
+  for (double x : {-0.3, 0.1})
+    bench.add(makeBody("ball", massProperties(Sphere{0.1}, 1)), motionAt({x, 0.05 * x, 0}));
+  bench.world.laws.push_back(contactOfBalls(bench.world.bodies, 0, test::ballShape(0.1), 1,
+                                            test::ballShape(0.1), contactOf(1e5, 1.5, 0, 0)));
+  bench.addSpring({0, {0, 0, 0}}, {kWorld, {0.5, 0, 0}}, {400, 0, 0});
+  Simulation coarse = test::simulationAt(bench, 1e-9, 0.2);
+  Simulation fine = test::simulationAt(bench, 1e-9, 0.001);
+  coarse.step();
+  while (fine.steps() < 200) fine.step();
+  EXPECT_EQ(coarse.contactEvents().size(), 2u);
+  for (std::size_t body = 0; body < 2; ++body)
+    EXPECT_LT(distanceBetween(coarse.body(body), fine.body(body)), 1e-8) << body;
+  EXPECT_GT(fine.body(1).p_W.norm(), 1);
+}
+
 }  // namespace
 }  // namespace rigid_body_sim
