@@ -212,6 +212,7 @@ TEST(TradeProgram, LeavesAValidFileWhenInterrupted) {
   ASSERT_EQ(fcntl(csv, F_SETPIPE_SZ, 4096), 4096);
   const pid_t child = fork();
   if (child == 0) {
+    std::signal(SIGINT, SIG_DFL);  // ignored in what a script runs in the background
     close(STDERR_FILENO);
     execl(kProgram.c_str(), "trade", kScene.c_str(), "--out", directory.c_str(), nullptr);
     _exit(127);
