@@ -11,10 +11,20 @@ void Grouping::findNextLink(const RunState& run) {
     next_link_ = std::min(next_link_, schedule.nextCoupling());
 }
 
+/// A group in contact may have come to t already, and its schedules with it: what acts by then and
+/// reaches out of a group links, too.
 std::vector<std::size_t> Grouping::linkedBy(double t, const RunState& run) {
+  const auto isApart = [&run](const PointWrench& wrench) {
+    const std::size_t group = run.groups.indexOf(wrench.body);
+    return (wrench.axes != kWorld && run.groups.indexOf(wrench.axes) != group) ||
+           (wrench.point_frame != kWorld && run.groups.indexOf(wrench.point_frame) != group);
+  };
   std::vector<std::size_t> bodies;
-  for (const WrenchSchedule& schedule : run.schedules)
-    if (schedule.nextCoupling() <= t) schedule.addLinked(t, bodies);
+  for (const WrenchSchedule& schedule : run.schedules) {
+    const std::vector<PointWrench>& active = schedule.active();
+    if (schedule.nextCoupling() <= t || std::any_of(active.begin(), active.end(), isApart))
+      schedule.addLinked(t, bodies);
+  }
   return bodies;
 }
 

@@ -85,10 +85,12 @@ void Run::accept(double t_end) {
 
 void Run::put(const std::string& slot, const PointWrench& wrench) {
   WrenchSchedule& schedule = now_.schedules[wrench.body];
+  const bool was_linked = !schedule.allHeld();
   schedule.put(slot, wrench, now_.time);
   grouping_.disturb(now_, wrench.body);
   restartGroup(wrench.body);
-  if (HeldWrench::holds(wrench)) return;
+  // what it takes the place of may have linked bodies
+  if (HeldWrench::holds(wrench) && !was_linked) return;
   std::vector<std::size_t> bodies;
   schedule.advanceTo(now_.time);
   schedule.addLinked(now_.time, bodies);

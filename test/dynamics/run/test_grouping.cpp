@@ -7,6 +7,7 @@
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 
+#include "support/contact_benches.hpp"
 #include "support/law_benches.hpp"
 #include "support/worlds.hpp"
 
@@ -255,4 +256,28 @@ TEST(DescribeSolution, LooksAtEachWrenchOnce) {
 }
 
 }  // namespace
+TEST(Grouping, EndsWhereAWrenchThatLinksGivesWayToOneThatDoesNot) {
+  Simulation sim = fourBodies().simulation("auto", 0.01);
+  sim.applyWrench("push", inAxesOf(1, 0, 0, 9));
+  sim.step();
+  EXPECT_EQ(sim.plans().size(), 3u);
+  sim.applyWrench("push", inAxesOf(kWorld, 0, 0, 9));
+  EXPECT_EQ(sim.plans().size(), 4u);
+}
+
+// In the axes of a body that stands still, on one that slides without friction.
+TEST(Grouping, LinksABodyInContactWithinAStep) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  test::addBox(bench, {0.4, 0.3, 0.2}, 5, test::motionAt({0, 0, 0.1}), HalfSpace{},
+               test::contactOf(1e5, 1.5, 3, 0));
+  bench.add(principalBody("other", 2, {1, 2, 2.5}), test::motionAt({9, 0, 0}));
+  PointWrench push = inAxesOf(1, 0, 0.105, 0.205);
+  push.force = {3, 0, 0};
+  bench.world.wrenches.push_back(push);
+  Simulation sim = bench.simulation("auto", 0.01);
+  while (sim.steps() < 30) sim.step();
+  EXPECT_NEAR(sim.body(0).p_W.x(), 0.3, 1e-6);
+}
+
 }  // namespace rigid_body_sim
