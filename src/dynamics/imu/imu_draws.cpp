@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "math/philox.hpp"
+#include "math/wide.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -29,10 +30,9 @@ struct Polar {
 Polar polarDraw(std::uint64_t key, std::uint64_t sample, std::uint32_t stream,
                 std::uint32_t block) {
   constexpr double kUnit = 1.0 / 9007199254740992;  // 2⁻⁵³
-  constexpr double kTwoPi = 6.283185307179586477;
   const auto w = philox({low(sample), high(sample), stream, block}, {low(key), high(key)});
   const double a = (bits53(w[0], w[1]) + 1) * kUnit, b = bits53(w[2], w[3]) * kUnit;
-  return {std::sqrt(-2 * std::log(a)), kTwoPi * b};
+  return {std::sqrt(-2 * std::log(a)), 2 * kPi<double> * b};
 }
 
 }  // namespace

@@ -17,28 +17,26 @@ std::uint64_t readSeed(const Entry& value) {
   return seed;
 }
 
-SensorNoise readGyroscope(const Entry& entry) {
-  using Def = SensorNoise;
-  static const std::vector<Key<Def>> keys = {
-      {"noise_density",
-       [](const Entry& e, Def& d) { d.density = readNotNegative(e, "rad/s/sqrt(Hz)"); }},
-      {"bias", [](const Entry& e, Def& d) { d.bias = readVector3(e, "rad/s"); }},
-      {"bias_walk",
-       [](const Entry& e, Def& d) { d.bias_walk = readNotNegative(e, "rad/s^2/sqrt(Hz)"); }},
-  };
-  SensorNoise noise;
-  readMapping(entry, keys, noise);
-  return noise;
-}
+struct GyroscopeUnits {
+  static constexpr const char* kDensity = "rad/s/sqrt(Hz)";
+  static constexpr const char* kBias = "rad/s";
+  static constexpr const char* kWalk = "rad/s^2/sqrt(Hz)";
+};
 
-SensorNoise readAccelerometer(const Entry& entry) {
+struct AccelerometerUnits {
+  static constexpr const char* kDensity = "m/s^2/sqrt(Hz)";
+  static constexpr const char* kBias = "m/s^2";
+  static constexpr const char* kWalk = "m/s^3/sqrt(Hz)";
+};
+
+template <class Units>
+SensorNoise readSensor(const Entry& entry) {
   using Def = SensorNoise;
   static const std::vector<Key<Def>> keys = {
       {"noise_density",
-       [](const Entry& e, Def& d) { d.density = readNotNegative(e, "m/s^2/sqrt(Hz)"); }},
-      {"bias", [](const Entry& e, Def& d) { d.bias = readVector3(e, "m/s^2"); }},
-      {"bias_walk",
-       [](const Entry& e, Def& d) { d.bias_walk = readNotNegative(e, "m/s^3/sqrt(Hz)"); }},
+       [](const Entry& e, Def& d) { d.density = readNotNegative(e, Units::kDensity); }},
+      {"bias", [](const Entry& e, Def& d) { d.bias = readVector3(e, Units::kBias); }},
+      {"bias_walk", [](const Entry& e, Def& d) { d.bias_walk = readNotNegative(e, Units::kWalk); }},
   };
   SensorNoise noise;
   readMapping(entry, keys, noise);
@@ -57,8 +55,9 @@ ImuDef readOne(const Entry& entry) {
       {"orientation", [](const Entry& e, Imu& i) { i.q_BS = readOrientation(e); }},
       {"rate", [](const Entry& e, Imu& i) { i.rate = readImuRate(e); }, true},
       {"seed", [](const Entry& e, Imu& i) { i.seed = readSeed(e); }},
-      {"gyroscope", [](const Entry& e, Imu& i) { i.gyroscope = readGyroscope(e); }},
-      {"accelerometer", [](const Entry& e, Imu& i) { i.accelerometer = readAccelerometer(e); }},
+      {"gyroscope", [](const Entry& e, Imu& i) { i.gyroscope = readSensor<GyroscopeUnits>(e); }},
+      {"accelerometer",
+       [](const Entry& e, Imu& i) { i.accelerometer = readSensor<AccelerometerUnits>(e); }},
   };
   ImuDef def;
   def.imu.name = std::string(entry.node().key);
