@@ -97,8 +97,9 @@ TEST_F(ActuatorOutput, ShowsRotorsThatTurnInTheirSense) {
 }
 
 TEST_F(ActuatorOutput, ShowsRotorsAcrossTheirDirection) {
-  for (const Vector3d& direction : {Vector3d(0, 0, 1), Vector3d(0, 0, -1),
-                                    Vector3d(0.48, -0.6, 0.64), Vector3d(0, 0.6, -0.8)}) {
+  for (const Vector3d& direction :
+       {Vector3d(0, 0, 1), Vector3d(0, 0, -1), Vector3d(0.48, -0.6, 0.64), Vector3d(0, 0.6, -0.8),
+        Vector3d(1e-5, 0, -1).normalized()}) {
     Body turned = body;
     std::get<Rotor>(turned.actuators[1].kind).direction_B = direction;
     const Marker disc = RotorMarkers("frame", turned).at(0, readings).at(1);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <rigid_body_sim/math/rotation.hpp>
+
 #include "math/wide.hpp"
 #include "ros/messages/conversions.hpp"
 #include "ros/outputs/arrow_markers.hpp"
@@ -15,10 +17,10 @@ using visualization_msgs::Marker;
 
 /// The shortest turn that takes the axis z to the unit vector d.
 Quaterniond turnFromZ(const Vector3d& d) {
-  constexpr double kOpposite =
-      1e-8;  // 1 + cos of an angle this far from a half turn rounds to zero
-  if (1 + d.z() < kOpposite) return {0, 1, 0, 0};
-  return Quaterniond(1 + d.z(), -d.y(), d.x(), 0).normalized();
+  const double across = std::hypot(d.x(), d.y());
+  if (across == 0) return d.z() < 0 ? Quaterniond(0, 1, 0, 0) : Quaterniond(1, 0, 0, 0);
+  const Vector3d axis(-d.y() / across, d.x() / across, 0);
+  return rotationExp(Vector3d(std::atan2(across, d.z()) * axis));
 }
 
 Marker rotorMarker(const char* name_space, int type, const std::string& body_frame,
