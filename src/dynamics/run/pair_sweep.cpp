@@ -40,8 +40,11 @@ Roam roamTo(const BodyState& from, const BodyState& to, double times) {
 /// how fast it will be is not known, so that a copy goes there.
 std::vector<Roam> triedRoams(const Group& group, const std::vector<double>& radius, double t,
                              double t_end, std::vector<WrenchSchedule> schedules) {
+  // Of an oscillation as fast as one a step, four looks see cos(45°) of the greatest distance at
+  // least: 1.42 times what was seen, and some more. Faster ones may escape: a margin, not a bound.
   constexpr int kLooks = 4;
-  constexpr double kFurther = 1.6, kSlack = 0.02;
+  constexpr double kFurther = 1.6;
+  constexpr double kSlack = 0.02;  // of the radius, and in rad: for what is seen to stand still
   const std::vector<std::size_t>& members = group.members();
   std::vector<Roam> roams;
   for (std::size_t k = 0; k < members.size(); ++k)
