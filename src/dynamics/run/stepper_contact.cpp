@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dynamics/rest/rest.hpp"
+#include "dynamics/run/contact_bound.hpp"
 #include "dynamics/run/stepper.hpp"
 
 /// Steps of systems with contact: between many events, as long as the integrator's estimates allow.
@@ -27,12 +28,11 @@ void Stepper::moveContactEvents(std::vector<ContactEvent>& events) {
   contact_events_.clear();
 }
 
-/// What the estimate of a step may reach. Errors grow from impact to impact, so that it lies far
-/// below the tolerance; in the run that estimates the error, 100 times higher.
+/// In the run that estimates the error, 100 times as much.
 StepBound Stepper::contactBound() const {
-  constexpr double kShare = 1e-4, kRounding = 1e-14, kLoosest = 1e-6, kIdleShare = 1e-2;
+  constexpr double kIdleShare = 1e-2;
   const double companion = choice_.max_turn_share > 1 ? 100 : 1;
-  const double bound = companion * std::clamp(kShare * tolerance_.attitude, kRounding, kLoosest);
+  const double bound = companion * contactStepBound(tolerance_.attitude);
   return {bound, kIdleShare * bound};
 }
 

@@ -25,10 +25,12 @@
 namespace rigid_body_sim {
 namespace {
 
+using Climb = decltype(climbLadder);
+
 /// Every setting of every integrator, each written as soon as it is known.
 std::vector<Setting> measureAll(const World& world, const Reference& reference,
-                                const std::vector<std::string>& integrators, TradeCsv& csv,
-                                ProgressBar& bar) {
+                                const std::vector<std::string>& integrators, Climb& climb,
+                                TradeCsv& csv, ProgressBar& bar) {
   constexpr double kUsualLadder = 16;  // settings; for the bar only
   std::vector<Setting> settings;
   const auto count = static_cast<double>(integrators.size());
@@ -40,10 +42,7 @@ std::vector<Setting> measureAll(const World& world, const Reference& reference,
       done = std::min(1.0, done + 1 / kUsualLadder);
       bar.show((1 + static_cast<double>(i) + done) / (1 + count));
     };
-    if (hasContact(world))
-      climbTolerances(world, reference, measured);
-    else
-      climbLadder(world, reference, integrators[i], measured);
+    climb(world, reference, integrators[i], measured, Patience{});
   }
   return settings;
 }
@@ -83,7 +82,8 @@ Trade measureTrade(const TradeOptions& options) {
   trade.reference = contact ? contactReference(world, first, duration, trade.error_budget)
                             : computeReference(world, first, duration);
   bar.show(1 / (1 + static_cast<double>(integrators.size())));
-  trade.settings = measureAll(world, trade.reference, integrators, csv, bar);
+  trade.settings = measureAll(world, trade.reference, integrators,
+                              contact ? climbTolerances : climbLadder, csv, bar);
   sortLadders(trade.settings);
   return trade;
 }

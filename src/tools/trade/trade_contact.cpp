@@ -1,15 +1,16 @@
 #include "tools/trade/trade_contact.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
+
+#include "dynamics/run/contact_bound.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 constexpr int kIntervals = 200;  // after each of which motions are compared
-// auto in contact bounds the error of a step by 1e-4 of the tolerance, and by no less than 1e-14
-constexpr double kTightest = 1e-10;
 
 World withTolerance(World world, double tolerance) {
   world.solver.integrator = "auto";
@@ -56,8 +57,8 @@ Reference contactReference(const World& world, const State& initial, double dura
   reference.duration = duration;
   reference.method = "auto at a tolerance of 1e-10";
   reference.check = "auto at 1e-9 and half the step";
-  reference.states = trackOf(withTolerance(world, kTightest), initial, duration, 1);
-  World check = withTolerance(world, 10 * kTightest);
+  reference.states = trackOf(withTolerance(world, kTightestInContact), initial, duration, 1);
+  World check = withTolerance(world, 10 * kTightestInContact);
   check.solver.time_step /= 2;
   const std::vector<State> states = trackOf(std::move(check), initial, duration, 2);
   reference.doubt = errorsOf(world, states, reference.states);
@@ -65,7 +66,7 @@ Reference contactReference(const World& world, const State& initial, double dura
   return reference;
 }
 
-void climbTolerances(const World& world, const Reference& reference,
+void climbTolerances(const World& world, const Reference& reference, const std::string& integrator,
                      const std::function<void(const Setting&)>& measured,
                      const Patience& patience) {
   std::vector<double> tolerances{world.solver.tolerance};
@@ -74,16 +75,13 @@ void climbTolerances(const World& world, const Reference& reference,
   std::sort(tolerances.begin(), tolerances.end());
   tolerances.erase(std::unique(tolerances.begin(), tolerances.end()), tolerances.end());
   for (double tolerance : tolerances) {
-    const World copy = withTolerance(world, tolerance);
-    try {
-      Setting setting = measureSetting(copy, reference, "auto", world.solver.time_step, patience);
-      setting.tolerance = tolerance;
-      // groups form and part: only what all have evaluated counts
-      setting.work = static_cast<double>(setting.force_evaluations);
-      measured(setting);
-    } catch (const SimulationDiverged&) {
-      continue;
-    }
+    std::optional<Setting> setting = tryMeasuring(withTolerance(world, tolerance), reference,
+                                                  integrator, world.solver.time_step, patience);
+    if (!setting) continue;
+    setting->tolerance = tolerance;
+    // groups form and part: only what all have evaluated counts
+    setting->work = static_cast<double>(setting->force_evaluations);
+    measured(*setting);
   }
 }
 

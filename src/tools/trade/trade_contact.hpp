@@ -14,10 +14,10 @@ namespace rigid_body_sim {
 Reference contactReference(const World& world, const State& initial, double duration,
                            double error_budget);
 
-/// Measures auto at the scene's step over a ladder of tolerances, the scene's own among them: with
-/// contact, they decide about the error. measured is called with each setting as soon as it is
-/// known.
-void climbTolerances(const World& world, const Reference& reference,
+/// In place of climbLadder for a world with contact, where tolerances decide about the error:
+/// measures an integrator that follows them, auto, at the scene's step over a ladder of tolerances,
+/// the scene's own among them. measured is called with each setting as soon as it is known.
+void climbTolerances(const World& world, const Reference& reference, const std::string& integrator,
                      const std::function<void(const Setting&)>& measured,
                      const Patience& patience = {});
 

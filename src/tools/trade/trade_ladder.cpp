@@ -8,20 +8,6 @@
 #include "dynamics/methods/catalogue.hpp"
 
 namespace rigid_body_sim {
-namespace {
-
-std::optional<Setting> tryMeasuring(const World& world, const Reference& reference,
-                                    const std::string& integrator, double time_step,
-                                    const Patience& patience) {
-  try {
-    return measureSetting(world, reference, integrator, time_step, patience);
-  } catch (const SimulationDiverged&) {
-    return std::nullopt;
-  }
-}
-
-}  // namespace
-
 std::vector<std::string> integratorsFor(const World& world, const State& initial) {
   std::vector<std::string> names;
   for (const Method& method : catalogue()) {

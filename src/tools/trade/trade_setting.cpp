@@ -68,6 +68,16 @@ Setting measureSetting(const World& world, const Reference& reference,
   return setting;
 }
 
+std::optional<Setting> tryMeasuring(const World& world, const Reference& reference,
+                                    const std::string& integrator, double time_step,
+                                    const Patience& patience) {
+  try {
+    return measureSetting(world, reference, integrator, time_step, patience);
+  } catch (const SimulationDiverged&) {
+    return std::nullopt;
+  }
+}
+
 double resolvedError(const Setting& setting, const Reference& reference) {
   return std::max(setting.errors.bounded(), reference.doubt.bounded());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,11 @@ double movingBodies(const World& world);
 /// the scene, and SimulationDiverged.
 Setting measureSetting(const World& world, const Reference& reference,
                        const std::string& integrator, double time_step, const Patience& patience);
+
+/// The same; nothing where the motion diverges.
+std::optional<Setting> tryMeasuring(const World& world, const Reference& reference,
+                                    const std::string& integrator, double time_step,
+                                    const Patience& patience);
 
 /// The greatest error that can be told apart from the reference's own.
 double resolvedError(const Setting& setting, const Reference& reference);

@@ -56,7 +56,7 @@ struct ContactBench {
 std::vector<Setting> settingsOf(const ContactBench& bench, const Reference& reference) {
   std::vector<Setting> settings;
   climbTolerances(
-      bench.world, reference, [&](const Setting& s) { settings.push_back(s); }, kBrief);
+      bench.world, reference, "auto", [&](const Setting& s) { settings.push_back(s); }, kBrief);
   return settings;
 }
 
