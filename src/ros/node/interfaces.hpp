@@ -5,7 +5,7 @@
 
 namespace rigid_body_sim {
 
-/// Names as the README has them: <body>/NAME once for all bodies, ~NAME for those in the node's own
+/// Names as doc/node.md has them: <body>/NAME once for all bodies, ~NAME for those in the node's own
 /// namespace; sorted. node: its full name; bodies: theirs, as topics resolve them.
 std::vector<std::string> shortNames(const std::vector<std::string>& names, const std::string& node,
                                     const std::vector<std::string>& bodies);

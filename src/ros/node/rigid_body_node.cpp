@@ -44,7 +44,7 @@ services, publishes odometry and tf.
   _reset_time:=BOOL        ~reset sets time back, too; needs publish_clock; default false
   --help                   this text
 
-Needs a ROS master. Topics and services: README.md of the package.
+Needs a ROS master. Topics and services: doc/node.md of the package.
 Exit status: 0 shut down, 1 the input is at fault, 2 wrong usage, 3 the simulation diverged.
 )";
 
