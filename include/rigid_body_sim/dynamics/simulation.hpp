@@ -43,11 +43,10 @@ class Simulation {
   static constexpr std::size_t kMaxCommands = 100000;
 
   /// From a state of the world on: of the start, or as state() gave it, of any step; then the same
-  /// bits follow as in the run that it is from, as long as no input came but the world's own
-  /// wrenches. Throws std::invalid_argument for a world or a state that break a rule: an integrator
-  /// that is unknown or does not support what acts, a time step that is not > 0, sizes and indices
-  /// that do not match, attitudes that are not unit, numbers that are not finite, a time that is no
-  /// multiple of the step.
+  /// bits follow as in the run that it is from. Throws std::invalid_argument for a world or a state
+  /// that break a rule: an integrator that is unknown or does not support what acts, a time step
+  /// that is not > 0, sizes and indices that do not match, attitudes that are not unit, numbers
+  /// that are not finite, a time that is no multiple of the step.
   Simulation(World world, State start);
   Simulation(const Simulation& other);
   Simulation(Simulation&& other) noexcept;
@@ -89,6 +88,14 @@ class Simulation {
   void setState(std::size_t body, const BodyState& state);
   void reset(bool restart_time);
   void command(const ActuatorCommand& command);
+
+  /// On from a state as state() gave it, of this run or another of the same world: the same bits
+  /// follow as there. A reset still leads to the start of this run. Throws std::invalid_argument,
+  /// and leaves all as it was, for a state that breaks a rule.
+  void load(const State& state);
+
+  /// Throws std::invalid_argument where applyWrench would, for one of these applied in order.
+  void checkWrenches(const std::vector<WrenchInput>& wrenches) const;
 
   /// Whether the wrench would take the place of another, at once, so that there is not one more.
   bool replaces(const std::string& slot, const PointWrench& wrench) const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <rigid_body_sim/dynamics/body.hpp>
+#include <rigid_body_sim/dynamics/point_wrench.hpp>
 #include <rigid_body_sim/math/rotation.hpp>
 
 namespace rigid_body_sim {
@@ -36,13 +37,19 @@ using BodyState = BodyStateT<double>;
 struct MotionAnchor {
   double t = 0;     ///< [s]
   BodyState state;  ///< at t
+  /// [s] When something starts or ends next, as it was known when the motion was anchored; −∞ where
+  /// it is integrated, or has not been solved since the last event.
+  double horizon = std::numeric_limits<double>::infinity();
 };
 
 /// How bodies that act on one another are advanced together.
 struct MotionPlan {
   std::vector<std::size_t> bodies;  ///< indices, ascending
-  std::string integrator;           ///< a name of the catalogue; empty: the motion is solved
-  int substeps = 1;                 ///< equal parts in which each time step is taken, at least
+  /// Indices in World::laws, ascending: of those that act between them, and of contacts between
+  /// them that may begin to.
+  std::vector<std::size_t> laws, waiting_laws;
+  std::string integrator;     ///< a name of the catalogue; empty: the motion is solved
+  int substeps = 1;           ///< equal parts in which each time step is taken, at least
   bool by_estimates = false;  ///< the integrator's own error estimates divide its steps further
   bool at_rest = false;  ///< bodies in contact that have come to rest, until they are disturbed
   bool holds = true;     ///< with auto: whether an integrator was found to hold the tolerance
@@ -52,6 +59,18 @@ struct MotionPlan {
   double tried_until = std::numeric_limits<double>::infinity();
   bool cut_short = false;        ///< whether the trial ended before the world's horizon
   std::int64_t evaluations = 0;  ///< of all its wrenches, so far
+};
+
+/// A wrench that acts on a body or is to come, and its slot; see WrenchInput.
+struct ScheduledWrench {
+  std::string slot;
+  PointWrench wrench;
+};
+
+/// What wrenches and commands do to one body from now on.
+struct BodySchedule {
+  std::vector<ScheduledWrench> wrenches;  ///< that act, in the order in which they began; to come
+  std::vector<ActuatorCommand> commands;  ///< to come
 };
 
 /// What changes about the world, and what it takes to go on from there.
@@ -64,10 +83,15 @@ struct State {
   /// Of the actuators, body by body in the order of Body::actuators; empty: as they start, and L_W
   /// then gains what wheels and rotors have.
   std::vector<std::vector<ActuatorState>> actuators{};
-  /// What the same bits need beside: the anchors, one a body, and the plans. Empty in a state that
-  /// a program makes: then motions are anchored at it, and auto chooses anew.
+  /// Body by body; empty: the wrenches of the world, and those of its commands that the state has
+  /// not taken yet.
+  std::vector<BodySchedule> schedules{};
+  /// What the same bits need beside: the anchors, one a body, the plans, and the contacts that link
+  /// bodies because these are near each other. Empty in a state that a program makes: then motions
+  /// are anchored at it, and auto chooses anew.
   std::vector<MotionAnchor> anchors{};
   std::vector<MotionPlan> plans{};
+  std::vector<std::size_t> near_laws{};  ///< indices in World::laws, ascending
 };
 
 /// Pose and velocity of a body frame, as its user gives and reads them.

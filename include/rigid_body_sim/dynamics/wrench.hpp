@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cstddef>
-#include <limits>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/point_wrench.hpp>
 #include <rigid_body_sim/dynamics/state.hpp>
 
 namespace rigid_body_sim {
@@ -21,25 +20,6 @@ struct Wrench {
 /// Adds the force f_W [N] that acts at the world point r_W [m]:  f += f_W,  τ += (r − x) × f_W.
 /// Source: Rotenberg, "Rigid Body Motion", ApplyForce.
 void applyForce(Wrench& wrench, const BodyState& state, const Vector3d& f_W, const Vector3d& r_W);
-
-/// Stands for the world where the index of a body may stand.
-constexpr std::size_t kWorld = std::numeric_limits<std::size_t>::max();
-
-/// Stands for the body acted on where the index of a body may stand.
-constexpr std::size_t kOwnBody = kWorld - 1;
-
-/// A constant force and couple applied at a point of a body for a stretch of simulation time.
-/// Axes and point may each be fixed in the world or in any body, and turn with it.
-struct PointWrench {
-  std::size_t body = 0;       ///< the body acted on
-  std::size_t axes = kWorld;  ///< of force and torque: world axes or a body's principal axes
-  Vector3d force = Vector3d::Zero();   ///< [N] at the point
-  Vector3d torque = Vector3d::Zero();  ///< [N m] a free couple
-  std::size_t point_frame = kOwnBody;  ///< of point: world frame or a body's principal frame
-  Vector3d point = Vector3d::Zero();   ///< [m]
-  double start = 0;                    ///< [s] acts for start <= t < end
-  double end = std::numeric_limits<double>::infinity();  ///< [s]
-};
 
 /// Relative change of a wrench's duration, by the rounding of its start and end, up to which force
 /// × duration is left alone: far above what rounding does to wrenches of some steps, and far below

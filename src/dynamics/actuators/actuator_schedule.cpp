@@ -44,6 +44,12 @@ void ActuatorSchedule::put(ActuatorCommand command, double now) {
   findNextEvent();
 }
 
+std::vector<ActuatorCommand> ActuatorSchedule::toCome() const {
+  std::vector<ActuatorCommand> commands;
+  for (const auto& [start, command] : pending_) commands.push_back(command);
+  return commands;
+}
+
 bool ActuatorSchedule::advanceTo(double t) {
   if (t < next_event_) return false;
   while (next_event_ <= t) {

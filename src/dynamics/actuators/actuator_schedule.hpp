@@ -24,6 +24,9 @@ class ActuatorSchedule {
   void put(ActuatorCommand command, double now);
   std::size_t commandsToCome() const { return pending_.size(); }
 
+  /// By start, then as they came.
+  std::vector<ActuatorCommand> toCome() const;
+
   /// Takes every event up to t, in order. Returns whether there was any.
   bool advanceTo(double t);
 

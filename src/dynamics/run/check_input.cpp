@@ -2,24 +2,12 @@
 
 #include <cmath>
 #include <set>
-#include <stdexcept>
 #include <string>
 
-#include "math/shortest.hpp"
+#include "dynamics/run/require.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-/// Throws unless a rule holds: "body 'box': position must be finite".
-void require(bool holds, const std::string& rule) {
-  if (!holds) throw std::invalid_argument(rule);
-}
-
-/// "time_step must be > 0 s, got -0.01"
-void require(bool holds, const std::string& rule, double got) {
-  if (holds) return;
-  throw std::invalid_argument(rule + ", got " + shortest(got));
-}
 
 bool isPositive(double x) { return x > 0 && std::isfinite(x); }
 
@@ -53,21 +41,6 @@ void checkActuators(const Body& body) {
       I_B += wheel->inertia * wheel->axis_B * wheel->axis_B.transpose();
   const std::string fault = actuatorsFault(body.actuators, I_B);
   require(fault.empty(), who + fault);
-}
-
-void checkActuatorStates(const World& world, const State& state) {
-  if (state.actuators.empty()) return;
-  require(state.actuators.size() == world.bodies.size(),
-          "a state must have actuators for each body, or for none");
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const std::string body = "body '" + world.bodies[i].name + "': ";
-    require(state.actuators[i].size() == world.bodies[i].actuators.size(),
-            body + "a state must have as many actuators as its world");
-    for (const ActuatorState& actuator : state.actuators[i])
-      require(std::isfinite(actuator.command) && std::isfinite(actuator.value) &&
-                  actuator.since <= state.t && !std::isnan(actuator.until),
-              body + "states of actuators must be finite and not of the future");
-  }
 }
 
 void checkAttitude(const std::string& body, const Quaterniond& q) {
@@ -104,27 +77,6 @@ void checkWorld(const World& world) {
     const std::string fault = imuFault(imu);
     require(fault.empty(), "body '" + world.bodies[imu.body].name + "': " + fault);
   }
-}
-
-void checkState(const World& world, const State& state) {
-  require(state.bodies.size() == world.bodies.size(),
-          "a state must have as many bodies as its world, " + std::to_string(world.bodies.size()) +
-              ", got " + std::to_string(state.bodies.size()));
-  std::size_t law_states = 0;
-  for (const auto& law : world.laws) law_states += law->stateCount();
-  require(state.laws.empty() || state.laws.size() == law_states,
-          "a state must have as many states of laws as its world, " + std::to_string(law_states) +
-              ", got " + std::to_string(state.laws.size()));
-  for (double own : state.laws)
-    require(std::isfinite(own), "states of laws must be finite numbers", own);
-  checkActuatorStates(world, state);
-  require(state.anchors.empty() || state.anchors.size() == world.bodies.size(),
-          "a state must have an anchor for each body, or none");
-  const double h = world.solver.time_step, steps = state.t / h;
-  require(std::isfinite(state.t) && std::abs(steps - std::round(steps)) <= 1e-6,
-          "time must be a multiple of time_step", state.t);
-  for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    if (!world.bodies[i].fixed) checkBodyState(world, i, state.bodies[i]);
 }
 
 void checkBodyState(const World& world, std::size_t index, const BodyState& s) {

@@ -76,11 +76,15 @@ std::size_t Group::localIndex(std::size_t body) const {
   return static_cast<std::size_t>(it - bodies_.members.begin());
 }
 
-void Group::anchor(const MotionAnchor& anchor, const std::vector<WrenchSchedule>& schedules) {
-  anchored_until_ = nextEvent(schedules);
+void Group::anchor(const MotionAnchor& anchor) {
+  anchored_until_ = anchor.horizon;
   solved_.emplace(problem(), anchor.t, anchor.state, anchored_until_);
   t_ = anchor.t;
   present_.bodies[0] = anchor.state;
+}
+
+void Group::anchorHere(const std::vector<WrenchSchedule>& schedules) {
+  anchor({t_, present_.bodies[0], nextEvent(schedules)});
 }
 
 void Group::fallBackToErrorControl() {
@@ -112,7 +116,11 @@ double Group::nextEvent(const std::vector<WrenchSchedule>& schedules) const {
 }
 
 MotionAnchor Group::anchorOf(std::size_t k) const {
-  return solved_ ? solved_->anchor() : MotionAnchor{t_, present_.bodies[k]};
+  constexpr double kNotSolved = -std::numeric_limits<double>::infinity();
+  if (!solved_) return {t_, present_.bodies[k], kNotSolved};
+  MotionAnchor anchor = solved_->anchor();
+  anchor.horizon = anchored_until_;
+  return anchor;
 }
 
 void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {

@@ -26,7 +26,10 @@ class Group {
         const std::vector<double>& law_states, const std::vector<WrenchSchedule>& schedules);
 
   /// Anchors a solved motion where it was anchored before; then the same bits follow.
-  void anchor(const MotionAnchor& anchor, const std::vector<WrenchSchedule>& schedules);
+  void anchor(const MotionAnchor& anchor);
+
+  /// Anchors a solved motion at the present.
+  void anchorHere(const std::vector<WrenchSchedule>& schedules);
 
   const std::vector<std::size_t>& members() const { return bodies_.members; }
   const CoupledBodies& bodies() const { return bodies_; }

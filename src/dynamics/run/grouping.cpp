@@ -1,9 +1,27 @@
 #include "dynamics/run/grouping.hpp"
 
 #include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace rigid_body_sim {
+namespace {
+
+/// Throws std::invalid_argument unless each law that acts, and none that does not, belongs to a
+/// group.
+void requireLawsIn(const std::vector<MotionPlan>& plans, const RunState& run) {
+  std::set<std::size_t> planned;
+  for (const MotionPlan& plan : plans) planned.insert(plan.laws.begin(), plan.laws.end());
+  for (std::size_t law = 0; law < run.world->laws.size(); ++law)
+    if (run.acts(law) != (planned.count(law) > 0))
+      throw std::invalid_argument("law " + std::to_string(law) + " (" +
+                                  run.world->laws[law]->name() +
+                                  "): a plan must have it as long as it acts");
+}
+
+}  // namespace
 
 void Grouping::findNextLink(const RunState& run) {
   next_link_ = std::numeric_limits<double>::infinity();
@@ -35,13 +53,35 @@ void Grouping::findCandidates(RunState& run, double t_end) {
 
 void Grouping::form(RunState& run, const State& start, bool scheduled) {
   const World& world = *run.world;
-  watches_.restart();
-  std::vector<std::size_t> acting;
+  watches_.restart({start.near_laws.begin(), start.near_laws.end()});
+  std::vector<std::size_t> candidates;
   for (std::size_t law : run.laws.ofPairs())
-    if (world.laws[law]->acts(run.law_states.data() + run.laws.firstState(law)))
-      acting.push_back(law);
-  run.laws.setCandidates(world, acting);
+    if (run.acts(law) || watches_.near().count(law) > 0) candidates.push_back(law);
+  run.laws.setCandidates(world, candidates);
   run.groups.clear(world.bodies.size());
+  if (!start.anchors.empty() && planner_.fits(start.plans))
+    restore(run, start);
+  else
+    formAnew(run, start, scheduled);
+  findNextLink(run);
+}
+
+/// As the run had them that the state is from.
+void Grouping::restore(RunState& run, const State& start) {
+  requireLawsIn(start.plans, run);
+  for (const MotionPlan& plan : start.plans) {
+    const CoupledBodies bodies{plan.bodies, plan.laws, plan.waiting_laws};
+    const MethodChoice choice = planner_.asPlanned(*run.world, bodies, run.schedules, plan);
+    Group group = formedGroup(run, bodies, start, choice);
+    const MotionAnchor& anchor = start.anchors[bodies.members.front()];
+    if (choice.method && plan.at_rest) group.restAsBefore();
+    if (!choice.method && anchor.horizon > anchor.t) group.anchor(anchor);
+    run.groups.add(std::move(group), run.schedules);
+  }
+}
+
+void Grouping::formAnew(RunState& run, const State& start, bool scheduled) {
+  const World& world = *run.world;
   const std::vector<CoupledBodies> all =
       coupledBodies(world, run.laws, run.law_states, run.schedules, movingBodies(world));
   const auto trials = std::count_if(all.begin(), all.end(), [&](const CoupledBodies& bodies) {
@@ -51,27 +91,18 @@ void Grouping::form(RunState& run, const State& start, bool scheduled) {
   for (const CoupledBodies& bodies : all) {
     const MethodChoice choice = planner_.atStart(world, run.laws, bodies, trial_start, scheduled,
                                                  static_cast<std::size_t>(trials));
-    run.groups.add(formedGroup(run, bodies, start, choice), run.schedules);
+    Group group = formedGroup(run, bodies, start, choice);
+    if (!choice.method && !run.laws.contacts().empty()) group.anchorHere(run.schedules);
+    run.groups.add(std::move(group), run.schedules);
   }
-  findNextLink(run);
 }
 
 Group Grouping::formedGroup(const RunState& run, const CoupledBodies& bodies, const State& start,
                             const MethodChoice& choice) const {
   std::vector<BodyState> states;
   for (std::size_t body : bodies.members) states.push_back(start.bodies[body]);
-  Group group(*run.world, run.laws, bodies, choice, run.time, std::move(states), run.law_states,
-              run.schedules);
-  if (!choice.method && !start.anchors.empty())
-    group.anchor(start.anchors[bodies.members[0]], run.schedules);
-  else if (!choice.method && !run.laws.contacts().empty())
-    group.anchor({run.time, start.bodies[bodies.members[0]]}, run.schedules);
-  const auto isOfGroup = [&bodies](const MotionPlan& plan) {
-    return plan.at_rest && plan.bodies == bodies.members;
-  };
-  if (choice.method && std::any_of(start.plans.begin(), start.plans.end(), isOfGroup))
-    group.restAsBefore();
-  return group;
+  return Group(*run.world, run.laws, bodies, choice, run.time, std::move(states), run.law_states,
+               run.schedules);
 }
 
 void Grouping::regroup(RunState& run, const std::vector<std::size_t>& bodies, double t, bool anew) {
@@ -93,11 +124,10 @@ void Grouping::regroup(RunState& run, const std::vector<std::size_t>& bodies, do
     if (!anew && same && solvable == !present.choice().method) continue;
     std::vector<BodyState> states;
     for (std::size_t body : linked.members) states.push_back(run.groups.at(body, t));
-    const BodyState first = states.front();
     formed.push_back(Group(world, run.laws, linked, choice, t, std::move(states), run.law_states,
                            run.schedules));
     // those who look for contacts ask for its motion at once
-    if (solvable && !run.laws.contacts().empty()) formed.back().anchor({t, first}, run.schedules);
+    if (solvable && !run.laws.contacts().empty()) formed.back().anchorHere(run.schedules);
   }
   std::vector<std::size_t> changed;
   for (const Group& group : formed)

@@ -34,7 +34,8 @@ class Grouping {
   /// other.
   void findCandidates(RunState& run, double t_end);
 
-  /// Forms the groups of a run that begins at a state. scheduled: with the wrenches of the scene.
+  /// Forms the groups of a run that begins at a state, as the state has them if it does. scheduled:
+  /// with the wrenches of the scene. Throws std::invalid_argument for groups that cannot be.
   void form(RunState& run, const State& start, bool scheduled);
 
   /// Forms the groups of these bodies anew at time t, the present of all of them: what is linked as
@@ -48,6 +49,8 @@ class Grouping {
   void formAtTwiceTheStep(RunState& coarse, const RunState& fine);
 
  private:
+  void restore(RunState& run, const State& start);
+  void formAnew(RunState& run, const State& start, bool scheduled);
   Group formedGroup(const RunState& run, const CoupledBodies& bodies, const State& start,
                     const MethodChoice& choice) const;
 

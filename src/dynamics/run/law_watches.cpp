@@ -84,8 +84,8 @@ LawWatch* LawWatches::candidate(std::size_t law) {
   return at != candidates_.end() && at->law() == law ? &*at : nullptr;
 }
 
-void LawWatches::restart() {
-  near_.clear();
+void LawWatches::restart(std::set<std::size_t> near) {
+  near_ = std::move(near);
   wakeUp();
 }
 

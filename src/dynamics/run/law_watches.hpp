@@ -24,8 +24,8 @@ class LawWatches {
   void wakeUp();
   void wakeUp(const std::vector<std::size_t>& bodies);
 
-  /// The same, and forgets which bodies are near.
-  void restart();
+  /// The same, of a run that goes on from a state in which those are near.
+  void restart(std::set<std::size_t> near);
 
   /// Finds, where that is not known, which laws may act up to t_end that need bodies to be near
   /// each other. Returns whether they were looked for; see PairSweep.

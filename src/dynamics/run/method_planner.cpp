@@ -1,6 +1,7 @@
 #include "dynamics/run/method_planner.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace rigid_body_sim {
 namespace {
@@ -33,8 +34,6 @@ MethodChoice MethodPlanner::atStart(const World& world, const LawTable& laws,
   const unsigned needs = needsOf(world, group, start.schedules);
   if (method_ || isSolved(group, needs)) return later(world, group, start.schedules);
   if (needs & kContact) return later(world, group, start.schedules);
-  const auto taken = taken_.find(group.members);
-  if (taken != taken_.end()) return taken->second;
   const auto known = choices_[scheduled].find(group.members);
   if (known != choices_[scheduled].end()) return known->second;
   const double share = std::min(1.0, kFullTrials / static_cast<double>(trials));
@@ -57,24 +56,45 @@ MethodChoice MethodPlanner::later(const World& world, const CoupledBodies& group
   return choice;
 }
 
-void MethodPlanner::take(const std::vector<MotionPlan>& plans) {
-  for (const MotionPlan& plan : plans) {
-    if (plan.integrator.empty()) continue;
-    taken_[plan.bodies] = {&methodNamed(plan.integrator),
-                           plan.substeps,
-                           plan.error,
-                           max_turn_share_,
-                           plan.holds,
-                           plan.tried_until,
-                           plan.cut_short,
-                           plan.by_estimates};
+bool MethodPlanner::fits(const std::vector<MotionPlan>& plans) const {
+  return !plans.empty() &&
+         (!method_ || std::all_of(plans.begin(), plans.end(), [this](const auto& plan) {
+           return plan.integrator == method_->name;
+         }));
+}
+
+MethodChoice MethodPlanner::asPlanned(const World& world, const CoupledBodies& group,
+                                      const std::vector<WrenchSchedule>& schedules,
+                                      const MotionPlan& plan) const {
+  const std::string& body = world.bodies[group.members.front()].name;
+  const auto isHere = [&group](std::size_t frame) {
+    return frame == kWorld || std::binary_search(group.members.begin(), group.members.end(), frame);
+  };
+  for (std::size_t member : group.members)
+    for (const PointWrench& wrench : schedules[member].active())
+      if (!isHere(wrench.axes) || !isHere(wrench.point_frame))
+        throw std::invalid_argument("body '" + world.bodies[member].name +
+                                    "': a plan must have the bodies with which a wrench links it");
+  const unsigned needs = needsOf(world, group, schedules);
+  if (!plan.integrator.empty()) {
+    const Method& method = methodNamed(plan.integrator);
+    rigid_body_sim::requireSupport(method, needs, body);
+    return {&method,    plan.substeps,    plan.error,     max_turn_share_,
+            plan.holds, plan.tried_until, plan.cut_short, plan.by_estimates};
   }
+  if (!isSolved(group, needs))
+    throw std::invalid_argument("body '" + body + "': its motion cannot be solved with what acts");
+  MethodChoice solved;
+  solved.max_turn_share = max_turn_share_;
+  return solved;
 }
 
 MotionPlan toPlan(const Group& group) {
   const MethodChoice& choice = group.choice();
   MotionPlan plan;
   plan.bodies = group.members();
+  plan.laws = group.bodies().laws;
+  plan.waiting_laws = group.bodies().waiting;
   if (choice.method) plan.integrator = choice.method->name;
   plan.substeps = choice.substeps;
   plan.by_estimates = choice.by_estimates;

@@ -35,8 +35,14 @@ class MethodPlanner {
   MethodChoice later(const World& world, const CoupledBodies& group,
                      const std::vector<WrenchSchedule>& schedules) const;
 
-  /// Takes the choices of a former run over.
-  void take(const std::vector<MotionPlan>& plans);
+  /// Whether these are plans of a run with this integrator.
+  bool fits(const std::vector<MotionPlan>& plans) const;
+
+  /// For a group as a plan has it. Throws std::invalid_argument, naming a body, where it cannot be
+  /// advanced so.
+  MethodChoice asPlanned(const World& world, const CoupledBodies& group,
+                         const std::vector<WrenchSchedule>& schedules,
+                         const MotionPlan& plan) const;
 
  private:
   using Members = std::vector<std::size_t>;
@@ -45,7 +51,6 @@ class MethodPlanner {
   double max_turn_share_ = 1;
   /// Of auto's trials, by members; first without the scene's wrenches, then with them.
   std::map<Members, MethodChoice> choices_[2];
-  std::map<Members, MethodChoice> taken_;
 };
 
 MotionPlan toPlan(const Group& group);

@@ -11,9 +11,7 @@ namespace rigid_body_sim {
 
 /// A run and what follows it where it is asked for.
 struct Simulation::Parts {
-  explicit Parts(Run started) : run(std::move(started)), commands_at_most(commandsToCome()) {
-    for (const WrenchSchedule& schedule : run.now().schedules) wrenches_at_most += schedule.size();
-  }
+  explicit Parts(Run started) : run(std::move(started)) { count(); }
 
   /// To actuators of all bodies.
   std::size_t commandsToCome() const {
@@ -21,6 +19,20 @@ struct Simulation::Parts {
     for (const WrenchSchedule& schedule : run.now().schedules)
       if (schedule.actuators()) count += schedule.actuators()->commandsToCome();
     return count;
+  }
+
+  /// What acts and is to come is another from now on.
+  void count() {
+    wrenches_at_most = 0;
+    for (const WrenchSchedule& schedule : run.now().schedules) wrenches_at_most += schedule.size();
+    commands_at_most = commandsToCome();
+  }
+
+  /// So is everything.
+  void begin() {
+    count();
+    if (error) error.emplace(run);
+    restartTracking();
   }
 
   /// The state is another from now on.
@@ -33,7 +45,7 @@ struct Simulation::Parts {
   std::optional<Balance> balance;
   std::optional<ErrorTracker> error;
   std::size_t wrenches_at_most = 0;  ///< not less than wrenchCount()
-  std::size_t commands_at_most;      ///< not less than commandsToCome()
+  std::size_t commands_at_most = 0;  ///< not less than commandsToCome()
 };
 
 }  // namespace rigid_body_sim

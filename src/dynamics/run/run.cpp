@@ -12,7 +12,6 @@ Run::Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start)
     : now_(world, RunMotors::complete(*world, start)), grouping_(now_), motors_(*world, *start) {
   MethodPlanner& planner = grouping_.planner();
   planner.requireSupport(*world);
-  planner.take(start->plans);
   place(*now_.start, true);
 }
 
@@ -28,17 +27,21 @@ Run Run::atTwiceTheStep() const {
   return coarse;
 }
 
-/// Begins at a state. scheduled: with the wrenches of the scene that act or are to come.
+/// Begins at a state. scheduled: with the wrenches and commands of the scene that act or are to
+/// come, where the state does not say which those are.
 void Run::place(const State& start, bool scheduled) {
   const World& world = *now_.world;
   const double h = world.solver.time_step;
   now_.steps = static_cast<std::int64_t>(std::llround(start.t / h));
   now_.time = static_cast<double>(now_.steps) * h;
   now_.schedules.assign(world.bodies.size(), WrenchSchedule());
-  if (scheduled)
+  const bool by_world = scheduled && start.schedules.empty();
+  if (by_world)
     for (const PointWrench& wrench : world.wrenches)
       now_.schedules[wrench.body].put("", onSteps(wrench, h), 0);
-  motors_.place(now_, start, scheduled);
+  motors_.place(now_, start, by_world);
+  for (std::size_t i = 0; i < start.schedules.size(); ++i)
+    now_.schedules[i].restore(start.schedules[i], now_.time);
   for (WrenchSchedule& schedule : now_.schedules) schedule.advanceTo(now_.time);
   now_.law_states = start.laws.empty() ? now_.laws.start(world) : start.laws;
   contacts_.place(now_.steps);
@@ -92,7 +95,6 @@ void Run::put(const std::string& slot, const PointWrench& wrench) {
   // what it takes the place of may have linked bodies
   if (HeldWrench::holds(wrench) && !was_linked) return;
   std::vector<std::size_t> bodies;
-  schedule.advanceTo(now_.time);
   schedule.addLinked(now_.time, bodies);
   bodies.push_back(wrench.body);
   grouping_.regroup(now_, bodies, now_.time);
@@ -132,8 +134,10 @@ void Run::reset(bool restart_time) {
   if (restart_time) return place(*now_.start, true);
   State start = *now_.start;
   start.t = now_.time;
+  start.schedules.clear();
   start.anchors.clear();
   start.plans.clear();
+  start.near_laws.clear();
   const double later = now_.time - now_.start->t;
   for (std::vector<ActuatorState>& of_body : start.actuators)
     for (ActuatorState& actuator : of_body) {
@@ -141,6 +145,15 @@ void Run::reset(bool restart_time) {
       actuator.until += later;
     }
   place(start, false);
+}
+
+void Run::load(const State& state) {
+  const World& world = *now_.world;
+  Run loaded = *this;
+  loaded.motors_ = RunMotors(world, state);
+  loaded.place(*RunMotors::complete(world, std::make_shared<const State>(state)), true);
+  loaded.motors_ = motors_;
+  *this = std::move(loaded);
 }
 
 /// Begins anew from the present, what acts on a body or its state being another from now on.

@@ -66,6 +66,10 @@ class Run {
   /// Back to the start; see ResetInput.
   void reset(bool restart_time);
 
+  /// On from a state; see Simulation::load. Throws std::invalid_argument, and leaves all as it was,
+  /// where its plans are not those of a run of this world.
+  void load(const State& state);
+
  private:
   void place(const State& start, bool scheduled);
   void advance(ExchangeMeter* meter);
@@ -73,6 +77,7 @@ class Run {
   void takeBack();
   void restartGroup(std::size_t body);
   Run goneOnTo(double t) const;
+  std::vector<BodySchedule> scheduleEntries() const;
 
   RunState now_;
   Grouping grouping_;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "dynamics/run/linking_step.hpp"
@@ -7,11 +8,29 @@
 /// What a run is asked: its state, now and within the next step.
 namespace rigid_body_sim {
 
+/// Empty where there are none and the world schedules none.
+std::vector<BodySchedule> Run::scheduleEntries() const {
+  const auto hasAny = [](const WrenchSchedule& schedule) {
+    return schedule.size() > 0 ||
+           (schedule.actuators() && schedule.actuators()->commandsToCome() > 0);
+  };
+  const bool any = !now_.world->wrenches.empty() || !now_.world->commands.empty() ||
+                   std::any_of(now_.schedules.begin(), now_.schedules.end(), hasAny);
+  std::vector<BodySchedule> entries;
+  if (!any) return entries;
+  entries.reserve(now_.schedules.size());
+  for (const WrenchSchedule& schedule : now_.schedules) entries.push_back(schedule.entries());
+  return entries;
+}
+
 State Run::state() const {
   State state;
   state.t = now_.time;
   state.laws = now_.lawStates();
   state.actuators = motors_.states(now_.schedules);
+  state.schedules = scheduleEntries();
+  const std::set<std::size_t>& near = grouping_.watches().near();
+  state.near_laws.assign(near.begin(), near.end());
   state.bodies.reserve(now_.world->bodies.size());
   for (std::size_t i = 0; i < now_.world->bodies.size(); ++i) state.bodies.push_back(body(i));
   state.anchors.resize(now_.world->bodies.size());
@@ -27,8 +46,10 @@ State Run::sample(double t) const {
   State sampled;
   if (grouping_.mayChangeBy(t)) {
     sampled = goneOnTo(t).state();
+    sampled.schedules.clear();
     sampled.anchors.clear();
     sampled.plans.clear();
+    sampled.near_laws.clear();
     return sampled;
   }
   sampled.t = t;

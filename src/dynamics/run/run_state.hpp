@@ -15,6 +15,11 @@ struct RunState {
   /// The state of a body at a time [s] between the present of its group and the next step.
   BodyState at(std::size_t body, double t) const;
 
+  /// Whether a law acts, as its own states tell.
+  bool acts(std::size_t law) const {
+    return world->laws[law]->acts(law_states.data() + laws.firstState(law));
+  }
+
   /// State::laws now.
   std::vector<double> lawStates() const;
 

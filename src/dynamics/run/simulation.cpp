@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
@@ -72,15 +73,26 @@ void Simulation::apply(const SimulationInput& input) {
   }
 }
 
-void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench) {
-  checkWrench(world(), wrench);
-  std::size_t& at_most = parts_->wrenches_at_most;
-  if (at_most >= kMaxWrenches) at_most = wrenchCount();
-  if (at_most >= kMaxWrenches && !replaces(slot, wrench))
+void Simulation::checkWrenches(const std::vector<WrenchInput>& wrenches) const {
+  for (const WrenchInput& input : wrenches) {
+    checkWrench(world(), input.wrench);
+    if (!HeldWrench::holds(input.wrench))
+      parts_->run.requireSupport(kCoupling, world().bodies[input.wrench.body].name);
+  }
+  if (parts_->wrenches_at_most + wrenches.size() <= kMaxWrenches) return;
+  const auto adds = [this](const WrenchInput& input) {
+    return !replaces(input.slot, input.wrench);
+  };
+  const auto added = std::count_if(wrenches.begin(), wrenches.end(), adds);
+  if (wrenchCount() + static_cast<std::size_t>(added) > kMaxWrenches)
     throw std::invalid_argument("at most " + std::to_string(kMaxWrenches) +
                                 " wrenches may act or be to come");
-  if (!HeldWrench::holds(wrench))
-    parts_->run.requireSupport(kCoupling, world().bodies[wrench.body].name);
+}
+
+void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench) {
+  checkWrenches({{slot, wrench}});
+  std::size_t& at_most = parts_->wrenches_at_most;
+  if (at_most >= kMaxWrenches) at_most = wrenchCount();
   PointWrench timed = onSteps(wrench, world().solver.time_step);
   if (timed.start < time()) {  // now, at the same duration
     timed.end += time() - timed.start;
@@ -108,10 +120,13 @@ void Simulation::setState(std::size_t body, const BodyState& state) {
 
 void Simulation::reset(bool restart_time) {
   parts_->run.reset(restart_time);
-  parts_->wrenches_at_most = wrenchCount();
-  parts_->commands_at_most = parts_->commandsToCome();
-  if (parts_->error) parts_->error.emplace(parts_->run);
-  parts_->restartTracking();
+  parts_->begin();
+}
+
+void Simulation::load(const State& state) {
+  checkState(world(), state);
+  parts_->run.load(state);
+  parts_->begin();
 }
 
 bool Simulation::replaces(const std::string& slot, const PointWrench& wrench) const {

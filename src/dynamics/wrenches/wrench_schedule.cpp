@@ -25,9 +25,17 @@ PointWrench onSteps(PointWrench wrench, double h) {
   return wrench;
 }
 
-void WrenchSchedule::put(const std::string& slot, PointWrench wrench, double now) {
+namespace {
+
+void nameOwnBody(PointWrench& wrench) {
   if (wrench.axes == kOwnBody) wrench.axes = wrench.body;
   if (wrench.point_frame == kOwnBody) wrench.point_frame = wrench.body;
+}
+
+}  // namespace
+
+void WrenchSchedule::put(const std::string& slot, PointWrench wrench, double now) {
+  nameOwnBody(wrench);
   if (wrench.start < now) {
     wrench.end += now - wrench.start;
     wrench.start = now;
@@ -48,6 +56,33 @@ void WrenchSchedule::put(const std::string& slot, PointWrench wrench, double now
 
 void WrenchSchedule::setActuators(ActuatorSchedule actuators) {
   actuators_ = std::move(actuators);
+  findNextEvent();
+}
+
+BodySchedule WrenchSchedule::entries() const {
+  BodySchedule entries;
+  entries.wrenches.reserve(size());
+  for (std::size_t i = 0; i < active_.size(); ++i)
+    entries.wrenches.push_back({active_slots_[i], active_[i]});
+  for (const auto& [start, pending] : pending_)
+    entries.wrenches.push_back({pending.slot, pending.wrench});
+  if (actuators_) entries.commands = actuators_->toCome();
+  return entries;
+}
+
+void WrenchSchedule::restore(const BodySchedule& entries, double t) {
+  for (const ScheduledWrench& entry : entries.wrenches) {
+    PointWrench wrench = entry.wrench;
+    nameOwnBody(wrench);
+    couples_ |= !HeldWrench::holds(wrench);
+    if (wrench.start > t) {
+      pending_.emplace(wrench.start, Pending{entry.slot, wrench});
+    } else {
+      active_.push_back(wrench);
+      active_slots_.push_back(entry.slot);
+    }
+  }
+  for (const ActuatorCommand& command : entries.commands) actuators_->put(command, t);
   findNextEvent();
 }
 

@@ -31,6 +31,12 @@ class WrenchSchedule {
 
   void setActuators(ActuatorSchedule actuators);
 
+  /// Everything that acts and is to come.
+  BodySchedule entries() const;
+
+  /// Takes over what another schedule had at time t [s]; for one that is empty, with its actuators.
+  void restore(const BodySchedule& entries, double t);
+
   /// Null where the body has none.
   const ActuatorSchedule* actuators() const { return actuators_ ? &*actuators_ : nullptr; }
 

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "dynamics/run/check_input.hpp"
+#include "dynamics/run/require.hpp"
+
+/// The rules of a state from which a run begins.
+namespace rigid_body_sim {
+namespace {
+
+void checkActuatorStates(const World& world, const State& state) {
+  if (state.actuators.empty()) return;
+  require(state.actuators.size() == world.bodies.size(),
+          "a state must have actuators for each body, or for none");
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const std::string body = "body '" + world.bodies[i].name + "': ";
+    require(state.actuators[i].size() == world.bodies[i].actuators.size(),
+            body + "a state must have as many actuators as its world");
+    for (const ActuatorState& actuator : state.actuators[i])
+      require(std::isfinite(actuator.command) && std::isfinite(actuator.value) &&
+                  actuator.since <= state.t && !std::isnan(actuator.until),
+              body + "states of actuators must be finite and not of the future");
+  }
+}
+
+void checkSchedules(const World& world, const State& state) {
+  if (state.schedules.empty()) return;
+  require(state.schedules.size() == world.bodies.size(),
+          "a state must have a schedule for each body, or for none");
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const std::string fault =
+        "body '" + world.bodies[i].name + "': its schedule must be of that body";
+    for (const ScheduledWrench& entry : state.schedules[i].wrenches) {
+      checkWrench(world, entry.wrench);
+      require(entry.wrench.body == i, fault);
+    }
+    for (const ActuatorCommand& command : state.schedules[i].commands) {
+      checkCommand(world, command);
+      require(command.body == i, fault);
+    }
+  }
+}
+
+/// Plans form groups: each body that moves must be in one, with laws between its bodies only.
+void checkPlans(const World& world, const State& state) {
+  std::vector<int> times(world.bodies.size());
+  for (const MotionPlan& plan : state.plans) {
+    require(!plan.bodies.empty() && plan.substeps >= 1 &&
+                std::is_sorted(plan.bodies.begin(), plan.bodies.end()),
+            "a plan must name its bodies, ascending, and at least one substep");
+    for (std::size_t body : plan.bodies) {
+      checkBody(world, body);
+      ++times[body];
+    }
+    for (const auto* laws : {&plan.laws, &plan.waiting_laws})
+      for (std::size_t law : *laws) {
+        require(law < world.laws.size(), "no law has the index " + std::to_string(law));
+        for (std::size_t body : world.laws[law]->members())
+          require(std::binary_search(plan.bodies.begin(), plan.bodies.end(), body),
+                  "a plan must have every body of its laws");
+      }
+  }
+  for (std::size_t i = 0; i < world.bodies.size() && !state.plans.empty(); ++i)
+    require(times[i] == (world.bodies[i].fixed ? 0 : 1),
+            "body '" + world.bodies[i].name + "': it must have one plan");
+  for (std::size_t law : state.near_laws)
+    require(law < world.laws.size(), "no law has the index " + std::to_string(law));
+}
+
+void checkAnchors(const World& world, const State& state) {
+  require(state.anchors.empty() || state.anchors.size() == world.bodies.size(),
+          "a state must have an anchor for each body, or none");
+  for (std::size_t i = 0; i < state.anchors.size(); ++i) {
+    if (world.bodies[i].fixed) continue;
+    const MotionAnchor& anchor = state.anchors[i];
+    require(anchor.t <= state.t && !std::isnan(anchor.horizon),
+            "body '" + world.bodies[i].name + "': its anchor must not be of the future");
+    checkBodyState(world, i, anchor.state);
+  }
+}
+
+}  // namespace
+
+void checkState(const World& world, const State& state) {
+  require(state.bodies.size() == world.bodies.size(),
+          "a state must have as many bodies as its world, " + std::to_string(world.bodies.size()) +
+              ", got " + std::to_string(state.bodies.size()));
+  std::size_t law_states = 0;
+  for (const auto& law : world.laws) law_states += law->stateCount();
+  require(state.laws.empty() || state.laws.size() == law_states,
+          "a state must have as many states of laws as its world, " + std::to_string(law_states) +
+              ", got " + std::to_string(state.laws.size()));
+  for (double own : state.laws)
+    require(std::isfinite(own), "states of laws must be finite numbers", own);
+  checkActuatorStates(world, state);
+  checkSchedules(world, state);
+  checkAnchors(world, state);
+  checkPlans(world, state);
+  const double h = world.solver.time_step, steps = state.t / h;
+  require(std::isfinite(state.t) && std::abs(steps - std::round(steps)) <= 1e-6,
+          "time must be a multiple of time_step", state.t);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    if (!world.bodies[i].fixed) checkBodyState(world, i, state.bodies[i]);
+}
+
+}  // namespace rigid_body_sim

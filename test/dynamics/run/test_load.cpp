@@ -1,0 +1,277 @@
+#include <cmath>
+#include <functional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/contact_benches.hpp"
+#include "support/law_benches.hpp"
+#include "support/motor_benches.hpp"
+#include "support/same_state.hpp"
+#include "support/worlds.hpp"
+
+/// A run that goes on from a state, whatever acts, is to come and has happened before.
+namespace rigid_body_sim {
+namespace {
+
+using test::Bench;
+
+constexpr double kLoadStep = 0.01;
+
+/// What comes in before a step: a function of the step alone, so that every run hears the same.
+class RandomInputs {
+ public:
+  /// Resets with odd seeds only.
+  explicit RandomInputs(unsigned seed) : seed_(seed) {}
+  bool resets() const { return seed_ % 2 == 1; }
+
+  void apply(Simulation& sim) {
+    std::mt19937 random(seed_ + 1000 * static_cast<unsigned>(sim.steps()));
+    const auto below = [&random](std::size_t count) { return random() % count; };
+    if (below(3) != 0) return;
+    const std::size_t body = below(sim.world().bodies.size());
+    switch (below(8)) {
+      case 0:
+        return sim.clearWrenches(body, slot(below(3)));
+      case 1:
+        if (resets() && below(6) == 0) sim.reset(false);
+        return;
+      case 2:
+        if (below(4) == 0) sim.setState(body, moved(sim.body(body), random));
+        return;
+      case 3:
+      case 4:
+        return command(sim, body, random);
+      default:
+        sim.applyWrench(slot(below(3)), wrench(sim, body, random));
+    }
+  }
+
+ private:
+  static std::string slot(std::size_t k) { return k == 0 ? "" : "slot " + std::to_string(k); }
+
+  static double uniform(std::mt19937& random, double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  }
+
+  static Vector3d vector(std::mt19937& random, double most) {
+    const double x = uniform(random, -most, most), y = uniform(random, -most, most);
+    return {x, y, uniform(random, -most, most)};
+  }
+
+  static BodyState moved(BodyState state, std::mt19937& random) {
+    state.p_W += vector(random, 0.5);
+    state.x_W.z() += 0.2;
+    return state;
+  }
+
+  static PointWrench wrench(const Simulation& sim, std::size_t body, std::mt19937& random) {
+    PointWrench wrench;
+    wrench.body = body;
+    const std::size_t other = random() % sim.world().bodies.size();
+    wrench.axes = std::vector<std::size_t>{kWorld, body, other}[random() % 3];
+    wrench.point_frame = std::vector<std::size_t>{kWorld, kOwnBody, body}[random() % 3];
+    wrench.force = vector(random, 1);
+    wrench.torque = vector(random, 0.02);
+    wrench.point = vector(random, 0.1);
+    wrench.start = sim.time() + uniform(random, -0.02, 0.2);
+    wrench.end = wrench.start + uniform(random, 0.02, 0.4);
+    return wrench;
+  }
+
+  static void command(Simulation& sim, std::size_t body, std::mt19937& random) {
+    const std::size_t count = sim.world().bodies[body].actuators.size();
+    if (count == 0) return;
+    ActuatorCommand command = test::commandOf(random() % count, uniform(random, -2, 2),
+                                              sim.time() + uniform(random, -0.05, 0.2));
+    command.body = body;
+    command.end = command.start + uniform(random, 0.05, 0.5);
+    sim.command(command);
+  }
+
+  unsigned seed_;
+};
+
+void runTo(Simulation& sim, std::int64_t end, RandomInputs inputs) {
+  while (sim.steps() < end) {
+    inputs.apply(sim);
+    sim.step();
+  }
+}
+
+/// Cuts a run at random steps and goes on in a run that has been elsewhere.
+void expectSameBitsFromCuts(const Simulation& start, std::int64_t end, unsigned seed) {
+  const RandomInputs inputs(seed);
+  Simulation whole = start;
+  std::vector<State> cuts;
+  std::mt19937 random(seed);
+  std::vector<bool> is_cut(static_cast<std::size_t>(end));
+  for (int i = 0; i < 20; ++i) is_cut[random() % is_cut.size()] = true;
+  for (const bool cut : is_cut) {
+    if (cut) cuts.push_back(whole.state());
+    runTo(whole, whole.steps() + 1, inputs);
+  }
+  Simulation elsewhere = start;
+  runTo(elsewhere, 15, RandomInputs(seed + 1));
+  for (const State& cut : cuts) {
+    SCOPED_TRACE(cut.t);
+    elsewhere.load(cut);
+    test::expectSameState(elsewhere.state(), cut);
+    runTo(elsewhere, end, inputs);
+    test::expectSameState(elsewhere.state(), whole.state());
+    if (!inputs.resets()) {  // which would lead it back to the cut
+      Simulation anew(start.world(), cut);
+      runTo(anew, end, inputs);
+      test::expectSameState(anew.state(), whole.state());
+    }
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+Bench threeBodies() {
+  Bench bench;
+  for (const char* name : {"a", "b", "c"})
+    bench.add(test::principalBody(name, 2, {1, 2, 2.5}), test::tumbling({0, 0, 0}, {0.5, 1, 0.2}));
+  PointWrench scheduled = test::worldForce({1, 2, 3}, 0.203, 0.717);
+  scheduled.body = 1;
+  bench.world.wrenches.push_back(scheduled);
+  return bench;
+}
+
+Bench ballsAndBox() {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  bench.world.solver.tolerance = 1e-4;
+  const ContactParameters c = test::contactOf(1e4, 1.5, 0.5, 0.3);
+  for (int i = 0; i < 2; ++i)
+    test::addBall(bench, 0.1, 1, test::motionAt({0.02 * i, 0.01 * i, 0.15 + 0.25 * i}), HalfSpace{},
+                  c);
+  bench.world.laws.push_back(
+      contactOfBalls(bench.world.bodies, 0, test::ballShape(0.1), 1, test::ballShape(0.1), c));
+  test::addBox(bench, {0.2, 0.3, 0.1}, 1, test::motionAt({2, 0, 0.06}), HalfSpace{}, c);
+  return bench;
+}
+
+Bench mixedBench() {
+  Bench bench = test::benchOf(test::motley(), test::motleyStart());
+  bench.add(test::principalBody("passenger", 2, {1, 2, 2.5}), BodyFrameMotion());
+  bench.world.commands = {test::commandOf(1, -30, 0.105), test::commandOf(3, 0.2, 0.251)};
+  return bench;
+}
+
+}  // namespace
+
+TEST(Load, GoesOnWithTheBitsOfTheRunUnderWrenches) {
+  for (unsigned seed : {1, 2, 3, 4})
+    expectSameBitsFromCuts(threeBodies().simulation("auto", kLoadStep), 100, seed);
+  expectSameBitsFromCuts(threeBodies().simulation("dop853", kLoadStep), 60, 8);
+}
+
+TEST(Load, GoesOnWithTheBitsOfTheRunWithMotors) {
+  for (unsigned seed : {1, 2, 3, 4})
+    expectSameBitsFromCuts(mixedBench().simulation("auto", kLoadStep), 100, seed);
+}
+
+TEST(Load, GoesOnWithTheBitsOfTheRunInContact) {
+  for (unsigned seed : {1, 2, 3, 4})
+    expectSameBitsFromCuts(ballsAndBox().simulation("auto", kLoadStep), 100, seed);
+}
+
+TEST(Load, GoesOnWithTheBitsOfTheRunThatHasGoneToRest) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  bench.world.solver.tolerance = 1e-6;
+  ContactParameters damped = test::contactOf(1e5, 1.5, 3, 0.5);
+  damped.breakaway = 1e-4;
+  test::addBox(bench, {0.4, 0.3, 0.2}, 5, test::motionAt({0, 0, 0.1}), HalfSpace{}, damped);
+  Simulation whole = bench.simulation("auto", kLoadStep), rest = whole;
+  while (whole.time() < 5 && !whole.plans()[0].at_rest) whole.step();
+  ASSERT_TRUE(whole.plans()[0].at_rest);
+  rest.load(whole.state());
+  EXPECT_TRUE(rest.plans()[0].at_rest);
+  for (Simulation* sim : {&whole, &rest}) {
+    sim->applyWrench("push", test::worldForce({40, 0, 0}, sim->time() + 0.123, 99));
+    for (int i = 0; i < 30; ++i) sim->step();
+  }
+  EXPECT_FALSE(whole.plans()[0].at_rest);
+  test::expectSameState(rest.state(), whole.state());
+}
+
+// The wrench that linked a with b has given way to one that does not: they part at once.
+TEST(Load, FindsBodiesPartedThatAWrenchLinksNoMore) {
+  Simulation sim = threeBodies().simulation("auto", kLoadStep);
+  PointWrench push = test::worldForce({1, 2, 3}, 0, 9);
+  push.axes = 1;
+  sim.applyWrench("push", push);
+  sim.step();
+  EXPECT_EQ(sim.plans().size(), 2u);
+  push.axes = kWorld;
+  sim.applyWrench("push", push);
+  EXPECT_EQ(sim.plans().size(), 3u);
+}
+
+// In the axes of a body that stands still, on one that slides without friction.
+TEST(Load, FindsAWrenchActingThatLinksABodyInContact) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  test::addBox(bench, {0.4, 0.3, 0.2}, 5, test::motionAt({0, 0, 0.1}), HalfSpace{},
+               test::contactOf(1e5, 1.5, 3, 0));
+  bench.add(test::principalBody("other", 2, {1, 2, 2.5}), test::motionAt({9, 0, 0}));
+  PointWrench push = test::worldForce({3, 0, 0}, 0.105, 0.205);
+  push.axes = 1;
+  bench.world.wrenches.push_back(push);
+  Simulation sim = bench.simulation("auto", kLoadStep);
+  while (sim.steps() < 15) sim.step();
+  sim.load(sim.state());
+  while (sim.steps() < 30) sim.step();
+  EXPECT_NEAR(sim.body(0).p_W.x(), 0.3, 1e-6);
+}
+
+TEST(Load, LeavesTheStartToAReset) {
+  const Simulation start = threeBodies().simulation("auto", kLoadStep);
+  Simulation sim = start;
+  runTo(sim, 50, RandomInputs(2));
+  const State middle = sim.state();
+  Simulation loaded = start;
+  loaded.load(middle);
+  loaded.reset(true);
+  test::expectSameState(loaded.state(), start.state());
+}
+
+TEST(Load, OfAStateThatIsRefusedChangesNothing) {
+  Simulation sim = ballsAndBox().simulation("auto", kLoadStep);
+  while (sim.steps() < 20) sim.step();
+  sim.applyWrench("push", test::worldForce({1, 0, 0}, 0, 9));
+  const State before = sim.state();
+  const auto refusalOf = [&](const std::function<void(State&)>& change) -> std::string {
+    State changed = before;
+    change(changed);
+    try {
+      sim.load(changed);
+    } catch (const std::invalid_argument& refused) {
+      test::expectSameState(sim.state(), before);
+      return refused.what();
+    }
+    return "taken";
+  };
+  EXPECT_EQ(refusalOf([](State&) {}), "taken");
+  EXPECT_EQ(refusalOf([](State& s) { s.schedules[0].wrenches[0].wrench.force.x() = NAN; }),
+            "wrench on body 'ball0': force, torque and point must be finite");
+  EXPECT_EQ(refusalOf([](State& s) { s.schedules[0].wrenches[0].wrench.body = 1; }),
+            "body 'ball0': its schedule must be of that body");
+  EXPECT_EQ(refusalOf([](State& s) { s.anchors[2].state.p_W.x() = INFINITY; }),
+            "body 'box2': momenta must be finite");
+  EXPECT_EQ(refusalOf([](State& s) { s.anchors[2].t = 7; }),
+            "body 'box2': its anchor must not be of the future");
+  EXPECT_EQ(refusalOf([](State& s) { s.plans.pop_back(); }), "body 'box2': it must have one plan");
+  EXPECT_EQ(refusalOf([](State& s) { s.plans.back().laws.clear(); }),
+            "law 3 (contact): a plan must have it as long as it acts");
+  EXPECT_EQ(refusalOf([](State& s) { s.plans[0].integrator = "dop854"; }).substr(0, 10),
+            "integrator");
+  EXPECT_EQ(refusalOf([](State& s) { s.near_laws = {9}; }), "no law has the index 9");
+}
+
+}  // namespace rigid_body_sim
