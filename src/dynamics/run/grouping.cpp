@@ -46,8 +46,8 @@ std::vector<std::size_t> Grouping::linkedBy(double t, const RunState& run) {
   return bodies;
 }
 
-void Grouping::findCandidates(RunState& run, double t_end) {
-  if (watches_.findCandidates(run, t_end))
+void Grouping::findCandidates(RunState& run, double t_end, bool looks_ahead) {
+  if (watches_.findCandidates(run, t_end, looks_ahead))
     run.laws.setCandidates(*run.world, watches_.pairs().candidates());
 }
 
@@ -107,6 +107,7 @@ Group Grouping::formedGroup(const RunState& run, const CoupledBodies& bodies, co
 
 void Grouping::regroup(RunState& run, const std::vector<std::size_t>& bodies, double t, bool anew) {
   const World& world = *run.world;
+  findCandidatesNow(run, static_cast<double>(run.steps + 1) * world.solver.time_step);
   std::vector<std::size_t> all;
   for (std::size_t g : run.groups.indicesOf(world, bodies)) {
     const std::vector<std::size_t>& members = run.groups[g].members();

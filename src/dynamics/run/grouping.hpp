@@ -31,8 +31,9 @@ class Grouping {
   static std::vector<std::size_t> linkedBy(double t, const RunState& run);
 
   /// Lets everything know which laws may act up to t_end [s] that need bodies to be near each
-  /// other.
-  void findCandidates(RunState& run, double t_end);
+  /// other; with findCandidatesNow, by the present alone, whatever was looked for before.
+  void findCandidates(RunState& run, double t_end) { findCandidates(run, t_end, true); }
+  void findCandidatesNow(RunState& run, double t_end) { findCandidates(run, t_end, false); }
 
   /// Forms the groups of a run that begins at a state, as the state has them if it does. scheduled:
   /// with the wrenches of the scene. Throws std::invalid_argument for groups that cannot be.
@@ -49,6 +50,7 @@ class Grouping {
   void formAtTwiceTheStep(RunState& coarse, const RunState& fine);
 
  private:
+  void findCandidates(RunState& run, double t_end, bool looks_ahead);
   void restore(RunState& run, const State& start);
   void formAnew(RunState& run, const State& start, bool scheduled);
   Group formedGroup(const RunState& run, const CoupledBodies& bodies, const State& start,

@@ -51,6 +51,12 @@ class Groups {
     return groups_[group_of_[body]].at(t, member_of_[body]);
   }
 
+  /// Whether the motion of all bodies is known beforehand.
+  bool allForeseen() const {
+    return std::all_of(groups_.begin(), groups_.end(),
+                       [](const Group& group) { return group.isForeseen(); });
+  }
+
   /// Group::knownUntil of group g; kNotKnown once it is forgotten.
   double knownUntil(std::size_t g) const { return known_until_[g]; }
   void forgetKnown(std::size_t g) { known_until_[g] = kNotKnown; }

@@ -62,9 +62,11 @@ void LawWatches::wakeUp(const std::vector<std::size_t>& bodies) {
   quiet_until_ = kNotKnown;
 }
 
-bool LawWatches::findCandidates(const RunState& run, double t_end) {
-  if (!pairs_.hasLaws() || t_end <= pairs_.until()) return false;
-  pairs_.sweep(*run.world, run.groups, run.schedules, run.time, t_end);
+bool LawWatches::findCandidates(const RunState& run, double t_end, bool looks_ahead) {
+  if (!pairs_.hasLaws()) return false;
+  const bool is_usable = !pairs_.lookedAhead() || (looks_ahead && run.groups.allForeseen());
+  if (t_end <= pairs_.until() && is_usable) return false;
+  pairs_.sweep(*run.world, run.groups, run.schedules, run.time, t_end, looks_ahead);
   std::vector<LawWatch> found;
   for (std::size_t law : pairs_.candidates()) {
     if (LawWatch* known = candidate(law))
@@ -105,6 +107,7 @@ void LawWatches::findQuiet(const RunState& run) {
     if (group.mayStop()) quiet_until_ = kNotKnown;
     if (group.isAtRest()) quiet_until_ = std::min(quiet_until_, group.restsUntil(run.schedules));
   }
+  if (!near_.empty()) quiet_until_ = kNotKnown;  // forgotten at the first step that can
 }
 
 std::optional<LawWatches::Event> LawWatches::firstEvent(const RunState& run, double t_end) {

@@ -28,8 +28,8 @@ class LawWatches {
   void restart(std::set<std::size_t> near);
 
   /// Finds, where that is not known, which laws may act up to t_end that need bodies to be near
-  /// each other. Returns whether they were looked for; see PairSweep.
-  bool findCandidates(const RunState& run, double t_end);
+  /// each other. Returns whether they were looked for. looks_ahead: see PairSweep.
+  bool findCandidates(const RunState& run, double t_end, bool looks_ahead);
   const PairSweep& pairs() const { return pairs_; }
 
   /// Finds quietUntil anew.

@@ -34,8 +34,8 @@ void LinkingStep::advance() {
 /// for a run that is taken up here.
 void LinkingStep::begin() {
   record_.beginRegrouping(run_.groups, run_.lawStates());
-  grouping_.findCandidates(run_, t_end_);
-  if (grouping_.watches().near().empty()) return;
+  if (grouping_.watches().near().empty()) return grouping_.findCandidates(run_, t_end_);
+  grouping_.findCandidatesNow(run_, t_end_);
   run_.law_states = run_.lawStates();
   const std::vector<std::size_t> parted = grouping_.watches().forgetFar(run_, t_end_);
   if (!parted.empty()) grouping_.regroup(run_, parted, run_.time);
@@ -60,14 +60,15 @@ bool LinkingStep::advanceToNext() {
 /// Advances the bodies of a law to the instant from which on it acts.
 void LinkingStep::advanceToEvent(const LawWatches::Event& event) {
   const LawWatch& watch = *event.watch;
-  if (!advanceTo(event.t, watch.members())) return;
+  const std::vector<std::size_t> members = watch.members();  // regrouping looks for laws anew
+  if (!advanceTo(event.t, members)) return;
   if (event.is_near)
     grouping_.watches().setNear(watch);
   else
     watch.switchModes(
         event.t, run_.law_states.data() + watch.firstState(),
         [this](std::size_t body, double t) { return run_.at(body, t); }, contact_events_);
-  grouping_.regroup(run_, watch.members(), event.t);
+  grouping_.regroup(run_, members, event.t);
 }
 
 /// Advances the groups with contact to the limit, or until one of them stops where a contact begins
@@ -106,7 +107,7 @@ double LinkingStep::advanceGroup(std::size_t g, double t) {
   record_.keepGroup(g, run_.time, run_.groups);
   Group& group = run_.groups[g];
   const PairSweep& pairs = grouping_.watches().pairs();
-  if (pairs.hasLaws() && group.mayStop()) {
+  if (pairs.hasLaws() && (group.mayStop() || group.isAtRest())) {
     std::vector<Roam> roams;
     for (std::size_t body : group.members()) roams.push_back(pairs.roam(body));
     group.setRoams(std::move(roams));

@@ -103,15 +103,15 @@ PairSweep::PairSweep(const World& world, const LawTable& laws) {
     return std::tie(x.a, x.b, x.law) < std::tie(y.a, y.b, y.law);
   });
   table_ = std::make_shared<const Table>(std::move(table));
-  if (hasLaws()) roams_.resize(world.bodies.size());
+  // a body of no such law may go anywhere
+  if (hasLaws()) roams_.assign(world.bodies.size(), {BodyState(), kUnbounded, kUnbounded});
 }
 
 void PairSweep::sweep(const World& world, const Groups& groups,
-                      const std::vector<WrenchSchedule>& schedules, double time, double t_end) {
-  until_ = t_end;
-  const bool all_foreseen = std::all_of(groups.all().begin(), groups.all().end(),
-                                        [](const Group& group) { return group.isForeseen(); });
-  if (all_foreseen) until_ = std::max(t_end, time + window_);
+                      const std::vector<WrenchSchedule>& schedules, double time, double t_end,
+                      bool looks_ahead) {
+  looked_ahead_ = looks_ahead && groups.allForeseen();
+  until_ = looked_ahead_ ? std::max(t_end, time + window_) : t_end;
   for (const Group& group : groups.all()) {
     const std::vector<std::size_t>& members = group.members();
     const auto isOfPair = [this](std::size_t body) { return table_->radius[body] >= 0; };
@@ -121,13 +121,14 @@ void PairSweep::sweep(const World& world, const Groups& groups,
         group.isForeseen() || group.mayStop()
             ? roamsOf(group, world, table_->radius, t, until_, schedules)
             : triedRoams(group, table_->radius, t, until_, schedules);
-    for (std::size_t k = 0; k < members.size(); ++k) roams_[members[k]] = roams[k];
+    for (std::size_t k = 0; k < members.size(); ++k)
+      if (isOfPair(members[k])) roams_[members[k]] = roams[k];
   }
   const std::size_t before = candidates_.size();
   findCandidates();
   // as far ahead as costs few candidates
   const bool few = candidates_.size() <= before + groups.size() / 4;
-  if (all_foreseen) window_ = few ? 2 * (until_ - time) : 0.5 * (until_ - time);
+  if (looked_ahead_) window_ = few ? 2 * (until_ - time) : 0.5 * (until_ - time);
 }
 
 void PairSweep::findCandidates() {

@@ -21,10 +21,14 @@ class PairSweep {
   double until() const { return until_; }
   void forget() { until_ = -std::numeric_limits<double>::infinity(); }
 
-  /// From the present `time` [s] of the groups, or later ones of their own, to t_end, or further
-  /// where the motion of all bodies is known beforehand.
+  /// Whether the last sweep may have gone beyond what was asked for. How far depends on earlier
+  /// sweeps, so that what decides about the motion must not depend on its result.
+  bool lookedAhead() const { return looked_ahead_; }
+
+  /// From the present `time` [s] of the groups, or later ones of their own, to t_end; if
+  /// looks_ahead, further where the motion of all bodies is known beforehand.
   void sweep(const World& world, const Groups& groups, const std::vector<WrenchSchedule>& schedules,
-             double time, double t_end);
+             double time, double t_end, bool looks_ahead);
 
   /// Of the last sweep: the laws that may act, ascending; and by body how far it goes.
   const std::vector<std::size_t>& candidates() const { return candidates_; }
@@ -45,7 +49,8 @@ class PairSweep {
   std::vector<Roam> roams_;
   std::vector<std::size_t> candidates_;
   double until_ = -std::numeric_limits<double>::infinity();
-  double window_ = 0;  // [s]
+  bool looked_ahead_ = false;
+  double window_ = 0;  // [s] how far it looks ahead
 };
 
 }  // namespace rigid_body_sim

@@ -9,13 +9,11 @@ namespace {
 /// Contacts of a body that start anew where its state is set: those that it leaves, too.
 std::vector<std::size_t> startingAnew(RunState& run, Grouping& grouping, std::size_t body) {
   std::set<std::size_t> anew;
-  const auto addThose = [&] {
-    for (std::size_t law : run.laws.of(body))
-      if (run.world->laws[law]->startsAnew()) anew.insert(law);
-  };
-  addThose();
-  grouping.findCandidates(run, run.time);  // where the body is now
-  addThose();
+  for (std::size_t law : run.laws.of(body))
+    if (run.world->laws[law]->startsAnew() && run.acts(law)) anew.insert(law);
+  grouping.findCandidatesNow(run, run.time);  // where the body is now
+  for (std::size_t law : run.laws.of(body))
+    if (run.world->laws[law]->startsAnew()) anew.insert(law);
   return {anew.begin(), anew.end()};
 }
 
