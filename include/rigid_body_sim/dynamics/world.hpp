@@ -30,6 +30,9 @@ struct World {
   std::vector<GravityCenter> gravity_centers;
   std::vector<Imu> imus;  ///< body by body
   SolverOptions solver;
+  /// Tells worlds of different scenes apart, so that none takes the saved state of another; empty
+  /// in a world that a program makes.
+  std::string fingerprint;
 };
 
 /// Kinetic energy of the bodies that move, with their wheels and rotors, and potential energy of

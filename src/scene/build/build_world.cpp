@@ -70,6 +70,7 @@ World buildWorld(const Scene& scene) {
   world.imus = imusOf(scene);
   world.solver = {scene.integrator, scene.time_step, scene.tolerance, scene.horizon,
                   scene.tolerance_stated};
+  world.fingerprint = scene.fingerprint;
   checkIntegrator(scene, world);
   return world;
 }

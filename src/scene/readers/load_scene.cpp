@@ -11,6 +11,7 @@
 #include "scene/build/check_scene.hpp"
 #include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
+#include "scene/readers/fingerprint.hpp"
 #include "scene/readers/readers.hpp"
 #include "scene/readers/suspicious.hpp"
 
@@ -131,6 +132,7 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
   readMapping(root, keys, scene);
   refuseIdleTolerance(root, scene);
   refuseUncountableSteps(root, scene);
+  scene.fingerprint = fingerprintOf(document.root);
   scene.notices = std::move(context.notices);
   for (std::string& notice : suspicions(context)) scene.notices.push_back(std::move(notice));
   checkScene(scene);

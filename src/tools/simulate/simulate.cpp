@@ -10,7 +10,9 @@
 #include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/state_file.hpp>
 
+#include "math/shortest.hpp"
 #include "programs/distinct_files.hpp"
 #include "programs/formatted.hpp"
 #include "programs/run_program.hpp"
@@ -40,6 +42,8 @@ void requireDistinctFiles(const SimulateOptions& options) {
   if (options.imu_csv && *options.imu_csv != "-")
     files.push_back({"--imu-csv", *options.imu_csv, true});
   if (options.bag) files.push_back({"--bag", *options.bag, true});
+  if (options.load) files.push_back({"--load", *options.load, false});
+  if (options.save) files.push_back({"--save", *options.save, true});
   requireDistinct(files);
 }
 
@@ -77,12 +81,22 @@ struct Job {
   Simulation simulation;
   DeferredMessages messages;
   std::unique_ptr<RecordedRun> record;  // of --wrench-bag
-  double duration = 0;                  // [s]
+  double begin = 0, end = 0;            // [s]
   double sample = 0;                    // [s]
   std::unique_ptr<CsvWriter> csv;
   std::unique_ptr<ImuCsv> imu_csv;
   std::unique_ptr<BagOutput> bag;
 };
+
+void load(const std::string& path, Job& job) {
+  State state = loadState(path, job.world);
+  try {
+    job.simulation.load(state);
+  } catch (const std::invalid_argument& refused) {
+    throw SceneError(path, 0, refused.what());
+  }
+  job.first = std::move(state);
+}
 
 void openInputs(Job& job) {
   for (const std::string& notice : job.scene.notices) job.note(notice);
@@ -91,18 +105,26 @@ void openInputs(Job& job) {
     job.record = std::make_unique<RecordedRun>(*options.wrench_bag, job.scene, job.world);
     if (!job.record->notice().empty()) job.note(job.record->notice());
   }
+  if (options.load) load(*options.load, job);
+  job.begin = job.simulation.time();
   const double length = job.record ? job.record->length(job.scene) : job.scene.horizon;
-  job.duration = options.duration.value_or(length);
+  job.end = job.begin + options.duration.value_or(length);
   job.sample = options.sample.value_or(job.scene.time_step);
-  requireCountable(job.duration, job.scene.time_step, "steps");
-  requireCountable(job.duration, job.sample, "samples");
+  requireCountable(job.end, job.scene.time_step, "steps");
+  requireCountable(job.end, job.sample, "samples");
+  const double h = job.scene.time_step;
+  if (options.save && std::abs(job.end - std::round(job.end / h) * h) > 1e-6 * h)
+    throw UsageError(
+        "--save needs an end at a step: --duration must be a multiple of the time step " +
+        shortest(h) + " s, got an end at " + shortest(job.end) + " s");
+  if (options.save) requireSavable(*options.save);
 }
 
 void openImuCsv(Job& job) {
   if (job.world.imus.empty())
     throw UsageError("--imu-csv goes with a scene in which a body has imus");
   for (const Imu& imu : job.world.imus)
-    requireCountable(job.duration, 1 / imu.rate, "samples of IMU " + imu.name);
+    requireCountable(job.end, 1 / imu.rate, "samples of IMU " + imu.name);
   job.imu_csv = std::make_unique<ImuCsv>(*job.options.imu_csv, job.simulation);
   job.imu_csv->finish();
 }
@@ -146,27 +168,28 @@ StepHooks hooksOf(Job& job, SlowRunNotice& slow) {
 
 /// Runs to the end, a row at every sample and at the end. Returns the last state.
 State simulate(Job& job, const StepHooks& hooks) {
-  // a duration that misses a multiple of the sample by rounding is one
-  const double ratio = job.duration / job.sample;
-  const auto samples =
-      static_cast<std::int64_t>(std::max(1.0, std::ceil(ratio - std::max(1e-9, 1e-15 * ratio))));
+  // a time that misses a multiple of the sample by rounding is one
+  const auto slack = [](double ratio) { return std::max(1e-9, 1e-15 * ratio); };
+  const double begin = job.begin / job.sample, end = job.end / job.sample;
+  const double first = std::floor(begin + slack(begin)) + 1;
+  const double last = std::max(first, std::ceil(end - slack(end)));
   ProgressBar bar;
   // what came in before the first step changes the state that it begins with
   if (hooks.before) hooks.before();
   hooks.after();
   State state = job.simulation.state();
   if (job.csv) job.csv->write(job.world, state);
-  for (std::int64_t k = 1; k <= samples; ++k) {
-    const double t = k == samples ? job.duration : static_cast<double>(k) * job.sample;
+  for (double k = first; k <= last; ++k) {
+    const double t = k == last ? job.end : k * job.sample;
     state = stateAt(job.simulation, t, hooks);
     if (job.csv) job.csv->write(job.world, state);
-    bar.show(static_cast<double>(k) / static_cast<double>(samples));
+    bar.show((t - job.begin) / (job.end - job.begin));
   }
   return state;
 }
 
 State simulateOrReport(Job& job) {
-  SlowRunNotice slow(job.duration);
+  SlowRunNotice slow(job.end);
   try {
     return simulate(job, hooksOf(job, slow));
   } catch (const SimulationDiverged&) {
@@ -179,12 +202,13 @@ void finish(Job& job) {
   if (job.csv) job.csv->finish();
   if (job.imu_csv) job.imu_csv->finish();
   if (job.bag) job.bag->finish();
+  if (job.options.save) saveState(*job.options.save, job.world, job.simulation.state());
   const std::string substeps = describeSubsteps(job.simulation);
   if (!substeps.empty()) job.note(substeps);
   const std::string promise = describePromise(job.simulation);
   if (!promise.empty()) job.note(promise);
-  if (job.record && !job.record->remainder(job.duration).empty())
-    job.note(job.record->remainder(job.duration));
+  if (job.record && !job.record->remainder(job.end).empty())
+    job.note(job.record->remainder(job.end));
   job.messages.print();
 }
 
@@ -204,13 +228,15 @@ void run(const SimulateOptions& options) {
   finish(job);
 
   std::FILE* out = options.csv == "-" || options.imu_csv == "-" ? stderr : stdout;
-  std::fprintf(out, "%s: %.6g s in steps of %.6g s with %s, in %.3g s\n", options.scene.c_str(),
-               last.t, job.world.solver.time_step, job.world.solver.integrator.c_str(),
-               wall.count());
+  const std::string on_from = job.begin > 0 ? " on from " + shortest(job.begin) + " s" : "";
+  std::fprintf(out, "%s: %.6g s%s in steps of %.6g s with %s, in %.3g s\n", options.scene.c_str(),
+               last.t - job.begin, on_from.c_str(), job.world.solver.time_step,
+               job.world.solver.integrator.c_str(), wall.count());
   const auto inputs = job.record ? job.record->effects(job.world) : std::vector<InputEffects>();
   std::fputs(runSummary(job.world, job.first, last, inputs).c_str(), out);
   // results in files are not spoilt by a summary that nobody wants
-  if (isOpen(out) || (!job.csv && !job.imu_csv && !job.bag)) requireWritten(out);
+  const bool to_file = job.csv || job.imu_csv || job.bag || options.save;
+  if (isOpen(out) || !to_file) requireWritten(out);
 }
 
 }  // namespace

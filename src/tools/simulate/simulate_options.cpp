@@ -30,8 +30,14 @@ SimulateOptions parseSimulateOptions(int argc, char** argv) {
       textInto(options.csv, "csv"),
       textInto(options.imu_csv, "imu-csv"),
       textInto(options.bag, "bag"),
-      textInto(options.wrench_bag, "wrench-bag")};
+      textInto(options.wrench_bag, "wrench-bag"),
+      textInto(options.save, "save"),
+      textInto(options.load, "load")};
   const auto scene = readCommandLine(argc, argv, actions, "scene file");
+  if (options.load && options.wrench_bag)
+    throw UsageError(
+        "--load and --wrench-bag exclude each other: a record is of a whole run, from its start "
+        "on");
   options.help = !scene;
   options.scene = scene.value_or("");
   if (options.csv == "-" && options.imu_csv == "-")
@@ -59,6 +65,9 @@ and momentum were conserved, or what changed them.
   --wrench-bag FILE  repeats the last run in the recorded topic ~inputs of a node, to the last bit;
                      from a bag without that topic, applies its messages on wrenches and commands at
                      their times in the bag
+  --save FILE        the whole state at the end, which must be at a step
+  --load FILE        goes on from a saved state: a run cut in two gives the same bits as in one.
+                     Time goes on; --duration counts from there
   --help             this text
 
 CSV columns: time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz: position of the body frame's origin

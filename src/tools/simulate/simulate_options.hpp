@@ -17,6 +17,7 @@ struct SimulateOptions {
   std::optional<std::string> imu_csv;     ///< likewise
   std::optional<std::string> bag;         ///< file
   std::optional<std::string> wrench_bag;  ///< file
+  std::optional<std::string> save, load;  ///< files of states
   bool help = false;
 };
 

@@ -1,0 +1,72 @@
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+#include <rigid_body_sim/scene/scene_error.hpp>
+#include <rigid_body_sim/scene/state_file.hpp>
+
+#include "scene/files/read_file.hpp"
+#include "scene/limits.hpp"
+#include "scene/state/state_format.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// In the same directory, so that it can take the place of the file at once.
+std::string unfinished(const std::string& path) { return path + ".unfinished"; }
+
+/// Writes a file; what went wrong.
+std::error_code write(const std::string& path, const std::string& text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (file) return {};
+  return {errno == 0 ? EIO : errno, std::generic_category()};
+}
+
+void requireWritten(const std::string& path, const std::error_code& fault) {
+  if (!fault) return;
+  std::error_code no_matter;
+  std::filesystem::remove(unfinished(path), no_matter);
+  throw SceneError(path, 0, "cannot be written: " + fault.message());
+}
+
+}  // namespace
+
+std::string stateText(const World& world, const State& state) {
+  const bool lacks_plans = state.plans.empty() && !state.anchors.empty();
+  const bool lacks_schedules = state.schedules.empty() && !world.wrenches.empty();
+  if (state.bodies.size() != world.bodies.size() || lacks_plans || lacks_schedules)
+    throw std::invalid_argument("the state must be one that a simulation of its world gave");
+  std::string text = writtenState(world, state);
+  try {
+    parseState(text, "the state", world);
+  } catch (const SceneError& fault) {
+    throw std::invalid_argument(fault.what());
+  }
+  return text;
+}
+
+void requireSavable(const std::string& path) {
+  std::error_code fault;
+  if (std::filesystem::is_directory(path, fault))
+    throw SceneError(path, 0, "is a directory, not a file for a state");
+  fault = write(unfinished(path), "");
+  if (!fault) std::filesystem::remove(unfinished(path), fault);
+  requireWritten(path, fault);
+}
+
+void saveState(const std::string& path, const World& world, const State& state) {
+  std::error_code fault = write(unfinished(path), stateText(world, state));
+  if (!fault) std::filesystem::rename(unfinished(path), path, fault);
+  requireWritten(path, fault);
+}
+
+State loadState(const std::string& path, const World& world) {
+  return parseState(readFile(path, "saved state", kMaxSceneBytes), path, world);
+}
+
+}  // namespace rigid_body_sim
