@@ -66,16 +66,23 @@ class Linker {
 };
 
 /// Those of the near laws of which a body has to be integrated: because it is acted on, or linked
-/// with such a body by another near law.
+/// with such a body by a wrench or by another near law.
 template <class Acts>
 std::vector<std::size_t> linkingNear(const World& world, const LawTable& laws,
                                      const std::vector<WrenchSchedule>& schedules,
+                                     const std::vector<std::size_t>& bodies,
                                      const std::set<std::size_t>& near, const Acts& acts) {
   std::set<std::size_t> integrated;
+  for (std::size_t body : bodies)
+    for (const PointWrench& wrench : schedules[body].active()) {
+      if (HeldWrench::holds(wrench)) continue;
+      const std::vector<std::size_t> linked = bodiesOf(wrench);
+      integrated.insert(linked.begin(), linked.end());
+    }
   const auto isIntegrated = [&](std::size_t body) {
     const std::vector<std::size_t>& of_body = laws.of(body);
     return world.solver.integrator != "auto" || integrated.count(body) > 0 ||
-           !schedules[body].allHeld() || std::any_of(of_body.begin(), of_body.end(), acts);
+           std::any_of(of_body.begin(), of_body.end(), acts);
   };
   std::vector<std::size_t> linking;
   std::set<std::size_t> rest = near;
@@ -190,7 +197,7 @@ std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& law
     }
     for (const PointWrench& wrench : schedules[body].active()) linker.link(bodiesOf(wrench));
   }
-  for (std::size_t law : linkingNear(world, laws, schedules, near, acts))
+  for (std::size_t law : linkingNear(world, laws, schedules, bodies, near, acts))
     linker.link(world.laws[law]->members());
   std::sort(acting.begin(), acting.end());
   acting.erase(std::unique(acting.begin(), acting.end()), acting.end());
