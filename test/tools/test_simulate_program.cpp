@@ -118,6 +118,16 @@ TEST(Simulate, SaysHowEachBodyIsSolved) {
                                                       "wing_nut: free, asymmetric, exact"}));
 }
 
+TEST(Simulate, SaysOfVeryManyBodiesHowManyThereAre) {
+  std::string bodies = "time_step: 0.01\nbodies:\n";
+  for (int i = 0; i < 102; ++i)
+    bodies += "  - {name: b" + std::to_string(i) + ", shape: {sphere: {radius: 1}}, mass: 1}\n";
+  const std::vector<std::string> said =
+      lines(simulate(sceneFile(bodies) + " --duration 0.1 2>/dev/null").out);
+  ASSERT_EQ(said.size(), 202U);
+  EXPECT_EQ(said.back(), "and 2 more bodies, which --csv or --bag writes");
+}
+
 TEST(Simulate, SaysWhatChangedABodyOrThatNothingDid) {
   const std::string bodies = R"(
 time_step: 0.01

@@ -103,22 +103,38 @@ std::string shortfall(const World& world, const MotionPlan& plan) {
   return text.str();
 }
 
+/// A line for each body, or, of very many, for neighbours of which the same is to be said.
+std::vector<std::string> linesOf(const World& world, const std::vector<std::string>& texts) {
+  constexpr std::size_t kMany = 40;
+  std::vector<std::string> lines;
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < texts.size(); i = end) {
+    end = i + 1;
+    while (texts.size() > kMany && end < texts.size() && texts[end] == texts[i]) ++end;
+    std::string names = world.bodies[i].name;
+    if (end - i > 1)
+      names += " to " + world.bodies[end - 1].name + " (" + std::to_string(end - i) + " bodies)";
+    lines.push_back(names + ": " + texts[i]);
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::vector<std::string> describeSolution(const Simulation& simulation) {
   const World& world = simulation.world();
   const auto laws = lawNames(world);
   const auto wrenches = wrenchesByBody(world);
-  std::vector<std::string> lines(world.bodies.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = world.bodies[i].name + ": fixed";
+  std::vector<std::string> texts(world.bodies.size(), "fixed"), shortfalls;
   for (const MotionPlan& plan : simulation.plans()) {
     for (std::size_t i : plan.bodies)
-      lines[i] = world.bodies[i].name + ": " +
-                 whatActs(world, world.bodies[i], laws[i], !wrenches[i].empty()) + ", " +
+      texts[i] = whatActs(world, world.bodies[i], laws[i], !wrenches[i].empty()) + ", " +
                  howSolved(world, world.bodies[i], plan,
                            leaveFree(wrenches[i]) && world.bodies[i].actuators.empty());
-    if (!plan.holds) lines.push_back(shortfall(world, plan));
+    if (!plan.holds) shortfalls.push_back(shortfall(world, plan));
   }
+  std::vector<std::string> lines = linesOf(world, texts);
+  lines.insert(lines.end(), shortfalls.begin(), shortfalls.end());
   return lines;
 }
 

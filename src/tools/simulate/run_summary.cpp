@@ -81,11 +81,13 @@ std::string changedText(const Causes& causes, const Conserved& a, const Conserve
 
 std::string runSummary(const World& world, const State& first, const State& last,
                        const std::vector<InputEffects>& inputs) {
+  constexpr std::size_t kMost = 100;  // bodies that anybody would read about one by one
   const std::vector<Causes> causes = causesOf(world, last.t, inputs);
   std::string summary;
+  std::size_t moving = 0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
-    if (body.fixed) continue;
+    if (body.fixed || ++moving > kMost) continue;
     const BodyFrameMotion m = toBodyFrameMotion(body, last.bodies[i]);
     summary += body.name + ": from " + text(toBodyFrameMotion(body, first.bodies[i]).x_W) + " to " +
                text(m.x_W) + " m, velocity " + text(m.v_W) + " m/s, turning at " + text(m.w_W) +
@@ -96,6 +98,8 @@ std::string runSummary(const World& world, const State& first, const State& last
     summary += causes[i].empty() ? conservedText(a, b, weight_impulse)
                                  : changedText(causes[i], a, b, weight_impulse);
   }
+  if (moving > kMost)
+    summary += formatted("and %zu more bodies, which --csv or --bag writes\n", moving - kMost);
   if (!world.laws.empty()) {
     const double energy = mechanicalEnergy(world, last);
     summary += formatted("all together: energy %.4g J, %+.2g J since the start\n", energy,

@@ -27,6 +27,18 @@ TEST(DescribeSolution, NamesTheRotorOfAFreeBody) {
   EXPECT_EQ(lines({2, 2, 2}), Lines{"wing_nut: free, spherical, exact"});
 }
 
+TEST(DescribeSolution, SaysOnceWhatIsTheSameOfManyNeighbours) {
+  Bench bench;
+  for (int i = 0; i < 40; ++i)
+    bench.add(principalBody("b" + std::to_string(i), 1, {1, 1, 1}), BodyFrameMotion());
+  EXPECT_EQ(describeSolution(bench.simulation("auto", 0.01)).size(), 40);
+  bench.add(principalBody("other", 1, {1, 2, 3}), BodyFrameMotion());
+  bench.add(principalBody("last", 1, {1, 1, 1}), BodyFrameMotion());
+  EXPECT_EQ(describeSolution(bench.simulation("auto", 0.01)),
+            (Lines{"b0 to b39 (40 bodies): free, spherical, exact",
+                   "other: free, asymmetric, exact", "last: free, spherical, exact"}));
+}
+
 TEST(DescribeSolution, SaysWhatActsAndHowItIsSolved) {
   EXPECT_EQ(describeSolution(test::pushedBox(kWorld, 0).simulation("auto", 0.01)),
             Lines{"box: gravity, wrenches, Taylor"});
