@@ -211,6 +211,26 @@ TEST_F(WrenchMessages, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(fault(message).find("'nowhere'"), std::string::npos);
 }
 
+TEST_F(WrenchMessages, OfAListAreTakenAsOneByOneAndNamedByTheirNumber) {
+  std::vector<AppliedWrench> list{applied("map"), applied("box/tip")};
+  list[1].id = "b";
+  const std::vector<WrenchInput> taken = intake.take(list, origin, now);
+  ASSERT_EQ(taken.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(taken[k].slot, take(list[k]).slot);
+    EXPECT_EQ(taken[k].wrench.force, take(list[k]).wrench.force);
+    EXPECT_EQ(taken[k].wrench.start, now);
+  }
+  EXPECT_TRUE(intake.take(std::vector<AppliedWrench>(), origin, now).empty());
+  list[1].duration = ros::Duration(-1);
+  try {
+    intake.take(list, origin, now);
+    FAIL();
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_STREQ(refused.what(), "wrenches[1]: duration must be >= 0 s, got -1");
+  }
+}
+
 TEST_F(WrenchMessages, RefusesAFrameThatDoesNotSayWhereOnTheBody) {
   EXPECT_EQ(fault(onBody("other")), "frame 'other' must be 'map' or fixed to body 'box'");
   EXPECT_EQ(fault(onBody("post")), "frame 'post' must be 'map' or fixed to body 'box'");

@@ -66,6 +66,12 @@ class InputMessages {
     } else if (const AppliedWrench::ConstPtr wrench = message.instantiate<AppliedWrench>()) {
       requireOneTopic("", message.getTopic());
       add(message.getTime(), [&](double now) { return one(intake_.take(*wrench, origin, now)); });
+    } else if (const AppliedWrenches::ConstPtr list = message.instantiate<AppliedWrenches>()) {
+      requireOneTopic("wrenches", message.getTopic());
+      add(message.getTime(), [&](double now) {
+        const std::vector<WrenchInput> wrenches = intake_.take(list->wrenches, origin, now);
+        return Inputs(wrenches.begin(), wrenches.end());
+      });
     } else if (const auto on_body = message.instantiate<geometry_msgs::WrenchStamped>()) {
       const auto body = bodyOf(message.getTopic(), "/wrench");
       if (!body) return;

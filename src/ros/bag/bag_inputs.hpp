@@ -18,10 +18,10 @@ struct BagInputs {
 };
 
 /// The inputs that a bag has recorded: those of its one topic of type Input. A bag without has the
-/// messages of <body>/wrench, of <body>/command and of its one topic of type AppliedWrench, by the
-/// rules of the node with its default timeouts. Each is taken over at the first step at or after
-/// its time in the bag, which counts from zero if it is that of a simulation clock, else from the
-/// beginning of the bag.
+/// messages of <body>/wrench, of <body>/command and of its one topic each of the types
+/// AppliedWrench and AppliedWrenches, by the rules of the node with its default timeouts. Each is
+/// taken over at the first step at or after its time in the bag, which counts from zero if it is
+/// that of a simulation clock, else from the beginning of the bag.
 ///
 /// Throws std::runtime_error with one line, the path first, for a bag that cannot be read, that
 /// holds the inputs of several nodes or none at all, and as lastRun. world: that of the scene.

@@ -8,7 +8,7 @@
 #include <rosbag/view.h>
 #include <sensor_msgs/JointState.h>
 
-#include <rigid_body_sim/AppliedWrench.h>
+#include <rigid_body_sim/AppliedWrenches.h>
 #include <rigid_body_sim/Input.h>
 
 namespace rigid_body_sim {
@@ -26,6 +26,7 @@ bool isInput(const rosbag::MessageInstance& message) {
   if (type == traits::datatype<sensor_msgs::JointState>())
     return isCommandTopic(message.getTopic());
   return type == traits::datatype<Input>() || type == traits::datatype<AppliedWrench>() ||
+         type == traits::datatype<AppliedWrenches>() ||
          type == traits::datatype<geometry_msgs::WrenchStamped>();
 }
 

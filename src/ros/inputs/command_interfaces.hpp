@@ -6,8 +6,7 @@
 #include <ros/node_handle.h>
 
 #include "ros/inputs/command_intake.hpp"
-#include "ros/inputs/inputs.hpp"
-#include "ros/inputs/refusals.hpp"
+#include "ros/inputs/input_context.hpp"
 #include "ros/options/node_options.hpp"
 
 namespace rigid_body_sim {
@@ -16,9 +15,8 @@ namespace rigid_body_sim {
 /// arrival, by whoever serves the queue of the handle.
 class CommandInterfaces {
  public:
-  /// Simulation, inputs and refusals are referred to, not copied.
-  CommandInterfaces(const ros::NodeHandle& nh, const Simulation& simulation, Inputs& inputs,
-                    const TimeOrigin& origin, const NodeOptions& options, Refusals& refusals);
+  CommandInterfaces(const ros::NodeHandle& nh, const InputContext& context,
+                    const NodeOptions& options);
 
   /// Takes in a body of the world: if it has actuators, its topic. Gives it back.
   void add(std::size_t body);
@@ -28,10 +26,7 @@ class CommandInterfaces {
   void take(std::size_t body, const sensor_msgs::JointState& message);
 
   ros::NodeHandle nh_;
-  const Simulation& simulation_;
-  Inputs& inputs_;
-  const TimeOrigin& origin_;
-  Refusals& refusals_;
+  InputContext context_;
   CommandIntake intake_;
   std::map<std::string, ros::Subscriber> topics_;  // by body
 };

@@ -95,6 +95,20 @@ WrenchInput WrenchIntake::take(const AppliedWrench& message, const TimeOrigin& o
   return {slotOfId(message.id), resolved(wrench)};
 }
 
+std::vector<WrenchInput> WrenchIntake::take(const std::vector<AppliedWrench>& messages,
+                                            const TimeOrigin& origin, double now) {
+  std::vector<WrenchInput> inputs;
+  for (const AppliedWrench& message : messages) {
+    try {
+      inputs.push_back(take(message, origin, now));
+    } catch (const std::invalid_argument& fault) {
+      throw std::invalid_argument("wrenches[" + std::to_string(inputs.size()) +
+                                  "]: " + fault.what());
+    }
+  }
+  return inputs;
+}
+
 PointWrench WrenchIntake::resolved(const WrenchDef& wrench) const {
   const ResolvedWrench resolved = resolveWrench(wrench, bodies_, frames_);
   if (!resolved.fault.empty()) throw std::invalid_argument(resolved.fault);

@@ -6,7 +6,7 @@
 #include <geometry_msgs/WrenchStamped.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <rigid_body_sim/AppliedWrench.h>
+#include <rigid_body_sim/AppliedWrenches.h>
 #include <rigid_body_sim/dynamics/input.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
 
@@ -47,6 +47,10 @@ class WrenchIntake {
 
   /// A message on ~wrench: each id has a slot of its own. A start of zero or in the past is now.
   WrenchInput take(const AppliedWrench& message, const TimeOrigin& origin, double now);
+
+  /// Those of a message on ~wrenches, likewise; what is thrown says which of them is at fault.
+  std::vector<WrenchInput> take(const std::vector<AppliedWrench>& messages,
+                                const TimeOrigin& origin, double now);
 
  private:
   PointWrench resolved(const WrenchDef& wrench) const;

@@ -7,19 +7,7 @@
 namespace rigid_body_sim {
 namespace {
 
-/// Messages that may wait for the next step boundary: a tenth of a second at 10 000 a second.
-constexpr std::uint32_t kWrenchQueue = 1000;
 constexpr std::uint32_t kStaticTfQueue = 100;
-
-template <class Message>
-using Callback = boost::function<void(const boost::shared_ptr<const Message>&)>;
-
-template <class Message>
-ros::Subscriber subscribeAtOnce(ros::NodeHandle nh, const std::string& topic,
-                                const Callback<Message>& callback) {
-  return nh.subscribe<Message>(topic, kWrenchQueue, callback, ros::VoidConstPtr(),
-                               ros::TransportHints().tcpNoDelay());
-}
 
 /// How many the scene schedules, body by body.
 std::vector<std::size_t> wrenchesOfScene(const World& world) {
@@ -31,24 +19,23 @@ std::vector<std::size_t> wrenchesOfScene(const World& world) {
 }  // namespace
 
 WrenchInterfaces::WrenchInterfaces(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
-                                   const Scene& scene, const Simulation& simulation, Inputs& inputs,
-                                   const TimeOrigin& origin, const NodeOptions& options,
-                                   Refusals& refusals)
+                                   const Scene& scene, const InputContext& context,
+                                   const NodeOptions& options)
     : nh_(nh),
-      simulation_(simulation),
-      inputs_(inputs),
-      origin_(origin),
-      refusals_(refusals),
-      intake_(scene, simulation.world().bodies, options.wrench_timeout, options.tf_prefix),
-      wrenches_of_scene_(wrenchesOfScene(simulation.world())) {
-  for (const Body& body : simulation.world().bodies) {
+      context_(context),
+      intake_(scene, context.simulation.world().bodies, options.wrench_timeout, options.tf_prefix),
+      wrenches_of_scene_(wrenchesOfScene(context.simulation.world())) {
+  for (const Body& body : context.simulation.world().bodies) {
     if (!body.fixed && options.body_topics) subscribe(body.name);
   }
   ros::NodeHandle own(private_nh);
-  wrench_ = subscribeAtOnce<AppliedWrench>(
-      own, "wrench", [this](const AppliedWrench::ConstPtr& message) { take(*message, origin_); });
+  wrench_ = context_.subscribe<AppliedWrench>(
+      own, "wrench", [this](const AppliedWrench& message) { take({message}, false); });
+  wrenches_ = context_.subscribe<AppliedWrenches>(
+      own, "wrenches", [this](const AppliedWrenches& message) { take(message.wrenches, true); });
   tf_static_ = nh_.subscribe("/tf_static", kStaticTfQueue, &WrenchIntake::addStatic, &intake_);
   apply_ = own.advertiseService("apply_wrench", &WrenchInterfaces::apply, this);
+  apply_all_ = own.advertiseService("apply_wrenches", &WrenchInterfaces::applyAll, this);
   clear_ = own.advertiseService("clear_wrenches", &WrenchInterfaces::clear, this);
 }
 
@@ -63,54 +50,71 @@ void WrenchInterfaces::remove(const std::string& body) {
 }
 
 void WrenchInterfaces::subscribe(const std::string& body) {
-  body_topics_[body] = subscribeAtOnce<BodyWrench>(
-      nh_, body + "/wrench",
-      [this, body](const BodyWrench::ConstPtr& message) { take(body, *message); });
+  body_topics_[body] = context_.subscribe<BodyWrench>(
+      nh_, body + "/wrench", [this, body](const BodyWrench& message) { take(body, message); });
 }
 
 bool WrenchInterfaces::apply(ApplyWrench::Request& request, ApplyWrench::Response& response) {
-  response.message = take(request.wrench, origin_);
+  response.message = take({request.wrench}, false);
+  response.success = response.message.empty();
+  return true;
+}
+
+bool WrenchInterfaces::applyAll(ApplyWrenches::Request& request,
+                                ApplyWrenches::Response& response) {
+  response.message = take(request.wrenches, true);
   response.success = response.message.empty();
   return true;
 }
 
 bool WrenchInterfaces::clear(ClearWrenches::Request& request, ClearWrenches::Response& response) {
-  const std::size_t before = simulation_.wrenchCount();
+  const Simulation& simulation = context_.simulation;
+  const std::size_t before = simulation.wrenchCount();
   try {
     ClearInput input;
-    if (!request.body.empty()) input.body = bodyNamed(request.body, simulation_.world().bodies);
+    if (!request.body.empty()) input.body = bodyNamed(request.body, simulation.world().bodies);
     input.slot = slotOfId(request.id);
-    inputs_.apply(input);
+    context_.inputs.apply(input);
     response.success = true;
-    response.message = "ended: " + std::to_string(before - simulation_.wrenchCount());
+    response.message = "ended: " + std::to_string(before - simulation.wrenchCount());
   } catch (const std::invalid_argument& refused) {
     response.message = refused.what();
   }
   return true;
 }
 
-/// Applies what the intake makes of a message. Returns why it is refused; empty if it is not.
-template <class... Message>
-std::string WrenchInterfaces::take(const Message&... message) {
-  try {
-    const WrenchInput input = intake_.take(message..., simulation_.time());
-    requireRoom(input);
-    inputs_.apply(input);
-    return "";
-  } catch (const std::invalid_argument& refused) {
-    refusals_.add("wrench", refused.what());
-    return refused.what();
-  }
+/// Both return why the message is refused; empty if it is not.
+std::string WrenchInterfaces::take(const std::string& body, const BodyWrench& message) {
+  return context_.apply("wrench", [&](double now) {
+    std::vector<WrenchInput> inputs{intake_.take(body, message, now)};
+    requireRoom(inputs);
+    return inputs;
+  });
 }
 
-void WrenchInterfaces::requireRoom(const WrenchInput& input) const {
-  const std::size_t body = input.wrench.body;
-  if (simulation_.wrenchCount(body) < kMaxWrenches + wrenches_of_scene_[body] ||
-      simulation_.replaces(input.slot, input.wrench))
-    return;
-  throw std::invalid_argument("body '" + simulation_.world().bodies[body].name +
-                              "' must have less than " + std::to_string(kMaxWrenches) +
-                              " wrenches that act or are to come");
+std::string WrenchInterfaces::take(const std::vector<AppliedWrench>& messages, bool is_list) {
+  return context_.apply("wrench", [&](double now) {
+    std::vector<WrenchInput> inputs =
+        is_list ? intake_.take(messages, context_.origin, now)
+                : std::vector<WrenchInput>{intake_.take(messages[0], context_.origin, now)};
+    requireRoom(inputs);
+    context_.simulation.checkWrenches(inputs);
+    return inputs;
+  });
+}
+
+void WrenchInterfaces::requireRoom(const std::vector<WrenchInput>& inputs) const {
+  const Simulation& simulation = context_.simulation;
+  std::map<std::size_t, std::size_t> added;  // by body
+  for (const WrenchInput& input : inputs) {
+    const std::size_t body = input.wrench.body;
+    if (simulation.replaces(input.slot, input.wrench) ||
+        simulation.wrenchCount(body) + added[body]++ < kMaxWrenches + wrenches_of_scene_[body])
+      continue;
+    throw std::invalid_argument("body '" + simulation.world().bodies[body].name +
+                                "' must have less than " + std::to_string(kMaxWrenches) +
+                                " wrenches that act or are to come");
+  }
 }
 
 }  // namespace rigid_body_sim

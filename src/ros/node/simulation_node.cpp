@@ -76,9 +76,9 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
                [this](const HandleTopics::Feedback& feedback) {
                  refusals_.check("mouse feedback", mouse_.take(feedback));
                }),
-      wrenches_(queues_.nh, queues_.private_nh, scene, simulation_, inputs_, time_.origin(),
-                options, refusals_),
-      commands_(queues_.nh, simulation_, inputs_, time_.origin(), options, refusals_),
+      input_context_{simulation_, inputs_, time_.origin(), refusals_},
+      wrenches_(queues_.nh, queues_.private_nh, scene, input_context_, options),
+      commands_(queues_.nh, input_context_, options),
       states_(queues_.private_nh, scene.world_frame, simulation_, inputs_),
       pause_(queues_.private_nh.advertiseService("pause", &SimulationNode::pause, this)),
       step_(queues_.step_nh.advertiseService("step", &SimulationNode::stepPaused, this)),

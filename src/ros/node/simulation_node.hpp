@@ -14,8 +14,7 @@
 
 #include "ros/clock/timekeeper.hpp"
 #include "ros/inputs/command_interfaces.hpp"
-#include "ros/inputs/inputs.hpp"
-#include "ros/inputs/refusals.hpp"
+#include "ros/inputs/input_context.hpp"
 #include "ros/inputs/state_services.hpp"
 #include "ros/inputs/wrench_interfaces.hpp"
 #include "ros/mouse/handle_topics.hpp"
@@ -74,6 +73,7 @@ class SimulationNode {
   Monitor monitor_;
   Mouse mouse_;
   HandleTopics handles_;
+  InputContext input_context_;
   WrenchInterfaces wrenches_;
   CommandInterfaces commands_;
   StateServices states_;

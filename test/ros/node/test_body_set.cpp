@@ -42,6 +42,7 @@ bodies:
   TimeOrigin origin;
   Refusals refusals;
   Inputs inputs{{[] { return false; }, {}, {}}, "world", simulation, origin, 0};
+  InputContext context{simulation, inputs, origin, refusals};
 };
 
 }  // namespace
@@ -49,7 +50,7 @@ bodies:
 TEST_F(BodySet, BodyThatIsRemovedTakesNoWrenchUntilItIsAddedAgain) {
   NodeOptions options;
   options.wrench_timeout = 0;
-  WrenchInterfaces wrenches(nh, private_nh, scene, simulation, inputs, origin, options, refusals);
+  WrenchInterfaces wrenches(nh, private_nh, scene, context, options);
   ros::Publisher a = nh.advertise<geometry_msgs::WrenchStamped>("a/wrench", 10);
   ros::Publisher b = nh.advertise<geometry_msgs::WrenchStamped>("b/wrench", 10);
   ros::Publisher post = nh.advertise<geometry_msgs::WrenchStamped>("post/wrench", 10);

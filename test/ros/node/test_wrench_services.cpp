@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/ApplyWrench.h>
+#include <rigid_body_sim/ApplyWrenches.h>
 #include <rigid_body_sim/ClearWrenches.h>
 
 #include "doors.hpp"
@@ -97,6 +98,21 @@ TEST_F(WrenchServices, ApplyRefusesWhatWouldFillTheMemory) {
   EXPECT_EQ(clear("canary", "").message, "ended: 1000");
   EXPECT_EQ(faultOf(lasting("box", "tug")), "");
   pushReference("box", "tug");
+  stepBoth(20);
+}
+
+TEST_F(WrenchServices, ApplyTakesAListWholeOrNotAtAll) {
+  ApplyWrenches call;
+  call.request.wrenches = {lasting("box", "tug"), lasting("nobody", "tug")};
+  ASSERT_TRUE(ros::service::call("rigid_body_node/apply_wrenches", call));
+  EXPECT_EQ(call.response.message.find("wrenches[1]: unknown body 'nobody'"), 0U)
+      << call.response.message;
+  stepBoth(5);
+  call.request.wrenches[1] = lasting("canary", "tug");
+  ASSERT_TRUE(ros::service::call("rigid_body_node/apply_wrenches", call));
+  EXPECT_TRUE(call.response.success);
+  pushReference("box", "tug");
+  pushReference("canary", "tug");
   stepBoth(20);
 }
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+
+#include <boost/function.hpp>
+#include <ros/node_handle.h>
+
+#include "ros/inputs/inputs.hpp"
+#include "ros/inputs/refusals.hpp"
+
+namespace rigid_body_sim {
+
+/// What the interfaces through which inputs come have in common. All of it is referred to.
+struct InputContext {
+  const Simulation& simulation;
+  Inputs& inputs;
+  const TimeOrigin& origin;
+  Refusals& refusals;
+
+  /// Applies the inputs that `read` makes of a message, all or none. Returns why they are refused;
+  /// empty if they are not.
+  template <class Read>
+  std::string apply(const char* what, const Read& read) const {
+    try {
+      for (const auto& input : read(simulation.time())) inputs.apply(input);
+      return "";
+    } catch (const std::invalid_argument& refused) {
+      refusals.add(what, refused.what());
+      return refused.what();
+    }
+  }
+
+  /// Subscribes to messages that are to be taken one by one.
+  template <class Message>
+  ros::Subscriber subscribe(ros::NodeHandle nh, const std::string& topic,
+                            const std::function<void(const Message&)>& take) const {
+    /// Messages that may wait for the next step: a tenth of a second at 10 000 a second.
+    constexpr std::uint32_t kQueue = 1000;
+    using Callback = boost::function<void(const boost::shared_ptr<const Message>&)>;
+    Callback callback = [take](const auto& message) { take(*message); };
+    return nh.subscribe<Message>(topic, kQueue, callback, ros::VoidConstPtr(),
+                                 ros::TransportHints().tcpNoDelay());
+  }
+};
+
+}  // namespace rigid_body_sim
