@@ -205,7 +205,7 @@ TEST(ImuOutput, BeginsAnewWithTime) {
   const Imus first = run.published.imu.at("box/noisy");
   run.published.imu.clear();
   run.simulation.reset(true);
-  run.outputs.restart();
+  run.outputs.restart(0);
   run.steps(20);
   expectSameBytes(first, run.published.imu.at("box/noisy"));
 }

@@ -202,6 +202,21 @@ TEST_F(Recorded, OnlyTheLastRunCounts) {
   expectRepeated(replay, 60);
 }
 
+TEST_F(Recorded, RunFromALoadedStateIsRepeatedFromThere) {
+  push("a", 0, 0, 9);
+  stepTo(33);
+  const State state = run.state();
+  stepTo(50);
+  node.apply(LoadInput{state});
+  stepTo(40);
+  push("b", 1, 0, 9);
+  const InputReplay replay = replayOf(inputs);
+  ASSERT_NE(replay.loaded(), nullptr);
+  expectRepeated(replay, 60);
+  inputs.back().kind = Input::LOAD;
+  EXPECT_EQ(fault(), "input 1: a state is loaded at the start of a run only");
+}
+
 TEST_F(Recorded, NothingIsRecordedWithoutSubscribers) {
   std::size_t subscribers = 0;
   std::vector<Input> recorded;

@@ -88,7 +88,7 @@ TEST(Outputs, BeginAtTheStartOfAClockFromZero) {
 
   // and again, when time has been set back
   run.simulation.reset(true);
-  run.outputs.restart();
+  run.outputs.restart(0);
   run.steps(0);
   EXPECT_EQ(run.published.clock.back(), ros::Time());
   EXPECT_EQ(run.published.odometry.at("box/odom").back().header.stamp, ros::Time());

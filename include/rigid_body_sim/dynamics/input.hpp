@@ -41,6 +41,13 @@ struct ResetInput {
   bool restart_time = false;  ///< also time and the schedule of the scene; else time runs on
 };
 
-using SimulationInput = std::variant<WrenchInput, ClearInput, StateInput, ResetInput, CommandInput>;
+/// On from a state as Simulation::state() gave it, of this run or another of the same world: the
+/// same bits follow as there. A reset still leads to the start of this run.
+struct LoadInput {
+  State state;
+};
+
+using SimulationInput =
+    std::variant<WrenchInput, ClearInput, StateInput, ResetInput, CommandInput, LoadInput>;
 
 }  // namespace rigid_body_sim

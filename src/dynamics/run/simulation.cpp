@@ -68,6 +68,8 @@ void Simulation::apply(const SimulationInput& input) {
     setState(state->body, toBodyState(world().bodies[state->body], state->motion));
   } else if (const auto* command = std::get_if<CommandInput>(&input)) {
     this->command(command->command);
+  } else if (const auto* load = std::get_if<LoadInput>(&input)) {
+    this->load(load->state);
   } else {
     reset(std::get<ResetInput>(input).restart_time);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 #include <stdexcept>
 
 #include <ros/console.h>
@@ -55,6 +56,19 @@ void Timekeeper::waitForClock(ros::CallbackQueue& queue) const {
 }
 
 void Timekeeper::restart(double t) { pacer_.restart(t, Pacer::Clock::now()); }
+
+void Timekeeper::jumpTo(double t, const ros::Time& last_stamp, double h) {
+  if (options_.publish_clock) return;
+  origin_.start = last_stamp + ros::Duration(h) - ros::Duration(t);
+}
+
+std::string Timekeeper::faultOfJump(double t, const ros::Time& last_stamp) const {
+  if (options_.publish_clock || last_stamp.toSec() > t) return "";
+  std::ostringstream fault;
+  fault << "the state is at " << t << " s of its run, later than the clock that this node follows, "
+        << last_stamp;
+  return fault.str();
+}
 
 double Timekeeper::untilDue(double t) const {
   if (clock_) return isAhead(t) ? kLongestWait : 0;

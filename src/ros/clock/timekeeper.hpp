@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
@@ -27,6 +28,13 @@ class Timekeeper {
 
   /// Ties the wall to simulation time t [s].
   void restart(double t);
+
+  /// Simulation time has become t [s], whatever it was. Where the stamps do not count from zero,
+  /// that of the state there follows the given one by a time step of h [s].
+  void jumpTo(double t, const ros::Time& last_stamp, double h);
+
+  /// Why it cannot; empty if it can.
+  std::string faultOfJump(double t, const ros::Time& last_stamp) const;
 
   /// Wall time [s], below the longest wait, until it is worth asking again whether the step that
   /// reaches t [s] is due; not above 0: it is.

@@ -2,6 +2,9 @@
 
 #include <stdexcept>
 
+#include <rigid_body_sim/scene/scene_error.hpp>
+#include <rigid_body_sim/scene/state_file.hpp>
+
 #include "ros/inputs/state_requests.hpp"
 #include "ros/messages/body_index.hpp"
 #include "ros/messages/conversions.hpp"
@@ -74,6 +77,13 @@ Input messageOf(const CommandInput& input, const World& world, const std::string
   return message;
 }
 
+Input messageOf(const LoadInput& input, const World& world, const std::string&) {
+  Input message;
+  message.kind = Input::LOAD;
+  message.state = stateText(world, input.state);
+  return message;
+}
+
 WrenchInput wrenchOf(const Input& message, const World& world) {
   PointWrench wrench;
   wrench.body = bodyNamed(message.body, world.bodies);
@@ -113,6 +123,14 @@ CommandInput commandOf(const Input& message, const World& world) {
   return {command};
 }
 
+LoadInput loadOf(const Input& message, const World& world) {
+  try {
+    return {parseState(message.state, "state", world)};
+  } catch (const SceneError& fault) {
+    throw std::invalid_argument(fault.what());
+  }
+}
+
 }  // namespace
 
 Input toMessage(const SimulationInput& input, const World& world, const std::string& world_frame) {
@@ -133,6 +151,8 @@ SimulationInput toInput(const Input& message, const World& world, const std::str
       return ResetInput{true};
     case Input::COMMAND:
       return commandOf(message, world);
+    case Input::LOAD:
+      return loadOf(message, world);
     default:
       throw std::invalid_argument("unknown kind of input " + std::to_string(message.kind));
   }

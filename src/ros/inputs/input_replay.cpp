@@ -29,6 +29,16 @@ void requireComplete(const std::vector<Input>& messages) {
                                   "first input and lose none");
 }
 
+/// From a state that was loaded on, steps are counted as in the run that it is from.
+std::uint64_t stepOf(const Input& message) {
+  return message.kind == Input::LOAD ? 0 : message.step;
+}
+
+void requireFirst(std::size_t number, const Input& message) {
+  if (message.kind == Input::LOAD && number > 0)
+    throw std::invalid_argument("a state is loaded at the start of a run only");
+}
+
 void requireAfter(std::uint64_t before, const Input& message) {
   if (message.step < before)
     throw std::invalid_argument("was taken over after step " + std::to_string(message.step) +
@@ -56,7 +66,8 @@ auto naming(std::size_t number, const Function& function) {
 }
 
 bool movesBodies(const SimulationInput& input) {
-  return std::holds_alternative<StateInput>(input) || std::holds_alternative<ResetInput>(input);
+  return std::holds_alternative<StateInput>(input) || std::holds_alternative<ResetInput>(input) ||
+         std::holds_alternative<LoadInput>(input);
 }
 
 }  // namespace
@@ -67,11 +78,14 @@ std::vector<TimedInput> lastRun(std::vector<Input> messages, const World& world,
   requireComplete(messages);
   std::vector<TimedInput> inputs;
   inputs.reserve(messages.size());
+  std::uint64_t before = 0;
   for (const Input& message : messages) {
     inputs.push_back(naming(inputs.size(), [&] {
-      requireAfter(inputs.empty() ? 0 : inputs.back().step, message);
+      requireFirst(inputs.size(), message);
+      requireAfter(before, message);
       requireStepOf(world, message);
-      return TimedInput{message.step, toInput(message, world, world_frame)};
+      before = message.step;
+      return TimedInput{stepOf(message), toInput(message, world, world_frame)};
     }));
   }
   return inputs;
@@ -79,8 +93,10 @@ std::vector<TimedInput> lastRun(std::vector<Input> messages, const World& world,
 
 bool InputReplay::applyDue(Simulation& simulation) {
   bool moved = false;
-  const auto step = static_cast<std::uint64_t>(simulation.steps());
-  for (; next_ < inputs_.size() && inputs_[next_].step == step; ++next_) {
+  const auto isDue = [&simulation](const TimedInput& input) {  // a state loaded is of another step
+    return input.step == static_cast<std::uint64_t>(simulation.steps());
+  };
+  for (; next_ < inputs_.size() && isDue(inputs_[next_]); ++next_) {
     const SimulationInput& input = inputs_[next_].input;
     naming(next_, [&] { simulation.apply(input); });
     moved = moved || movesBodies(input);

@@ -11,7 +11,8 @@
 
 namespace rigid_body_sim {
 
-/// An input and the step after which the simulation takes it over.
+/// An input and the step after which the simulation takes it over; a state with which the run
+/// begins is loaded before the first step.
 struct TimedInput {
   std::uint64_t step = 0;
   SimulationInput input;
@@ -37,6 +38,12 @@ class InputReplay {
   /// Inputs that have not been applied yet.
   std::size_t remaining() const { return inputs_.size() - next_; }
   bool isDone() const { return remaining() == 0; }
+
+  /// The state with which the run begins; null where that is the start.
+  const State* loaded() const {
+    const auto* load = inputs_.empty() ? nullptr : std::get_if<LoadInput>(&inputs_[0].input);
+    return load ? &load->state : nullptr;
+  }
 
   /// The step of the last input; 0 without inputs. A run that ends before it leaves inputs out.
   std::uint64_t lastStep() const { return inputs_.empty() ? 0 : inputs_.back().step; }

@@ -12,9 +12,10 @@ namespace {
 /// More than a person or a program applies at one instant.
 constexpr std::size_t kMaxHeld = 100000;
 
-bool restartsTime(const SimulationInput& input) {
+/// Whether what was applied before has nothing to do with the run from here on.
+bool beginsRun(const SimulationInput& input) {
   const auto* reset = std::get_if<ResetInput>(&input);
-  return reset && reset->restart_time;
+  return (reset && reset->restart_time) || std::holds_alternative<LoadInput>(input);
 }
 
 }  // namespace
@@ -33,15 +34,15 @@ Inputs::Inputs(Topic<Input> record, const std::string& world_frame, Simulation& 
 void Inputs::apply(const SimulationInput& input) {
   if (prepare_) prepare_();
   simulation_.apply(input);
-  if (restartsTime(input)) {
+  if (beginsRun(input)) {
     ++run_;
     number_ = 0;
     held_.clear();
     clock_runs_at_.reset();
   }
+  if (listener_) listener_(input);  // first: stamps may have moved
   if (record_.subscribers()) record(input);
   ++number_;
-  if (listener_) listener_(input);
 }
 
 void Inputs::record(const SimulationInput& input) {

@@ -121,7 +121,9 @@ std::string Mouse::pull(Hold& hold) {
 void Mouse::follow(const SimulationInput& input) {
   const auto* clear = std::get_if<ClearInput>(&input);
   const bool clears_all = clear && clear->body == ClearInput::kEveryBody && clear->slot.empty();
-  if (clears_all || std::holds_alternative<ResetInput>(input)) return holds_.clear();
+  const bool begins_anew =
+      std::holds_alternative<ResetInput>(input) || std::holds_alternative<LoadInput>(input);
+  if (clears_all || begins_anew) return holds_.clear();
   if (clear && clear->slot.empty()) holds_.erase(clear->body);
 }
 

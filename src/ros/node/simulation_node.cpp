@@ -80,6 +80,8 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       wrenches_(queues_.nh, queues_.private_nh, scene, input_context_, options),
       commands_(queues_.nh, input_context_, options),
       states_(queues_.private_nh, scene.world_frame, simulation_, inputs_),
+      state_files_(queues_.private_nh, simulation_, inputs_,
+                   [this](double t) { return time_.faultOfJump(t, outputs_.lastStamp()); }),
       pause_(queues_.private_nh.advertiseService("pause", &SimulationNode::pause, this)),
       step_(queues_.step_nh.advertiseService("step", &SimulationNode::stepPaused, this)),
       reset_(queues_.private_nh.advertiseService("reset", &SimulationNode::reset, this)) {
@@ -226,12 +228,17 @@ void SimulationNode::reportingDivergence(const std::function<void()>& action) {
 void SimulationNode::follow(const SimulationInput& input) {
   mouse_.follow(input);
   const auto* reset = std::get_if<ResetInput>(&input);
-  if (reset || std::holds_alternative<StateInput>(input)) outputs_.breakTrails();
-  if (!reset) return;
+  const bool loads = std::holds_alternative<LoadInput>(input);
+  if (reset || loads || std::holds_alternative<StateInput>(input)) outputs_.breakTrails();
+  if (!reset && !loads) return;
   divergence_.clear();
-  if (reset->restart_time || !rest_of_step_) endStep();
-  if (!reset->restart_time) return restartClocks();
-  outputs_.restart();
+  const bool jumps = loads || reset->restart_time;
+  if (jumps || !rest_of_step_) endStep();
+  if (!jumps) return restartClocks();
+  const ros::Time last_stamp = outputs_.lastStamp();
+  const double t = simulation_.time();
+  if (loads) time_.jumpTo(t, last_stamp, simulation_.world().solver.time_step);
+  outputs_.restart(t);
   restartClocks();
   if (!paused_) outputs_.publishDue();  // a run begins with the state at its start
 }

@@ -15,6 +15,7 @@
 #include "ros/clock/timekeeper.hpp"
 #include "ros/inputs/command_interfaces.hpp"
 #include "ros/inputs/input_context.hpp"
+#include "ros/inputs/state_files.hpp"
 #include "ros/inputs/state_services.hpp"
 #include "ros/inputs/wrench_interfaces.hpp"
 #include "ros/mouse/handle_topics.hpp"
@@ -77,6 +78,7 @@ class SimulationNode {
   WrenchInterfaces wrenches_;
   CommandInterfaces commands_;
   StateServices states_;
+  StateFiles state_files_;
   ros::ServiceServer pause_, step_, reset_;
 };
 

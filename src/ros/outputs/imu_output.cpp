@@ -87,8 +87,8 @@ void ImuOutput::publish(Sensor& sensor, const Body& body, const BodyMotion& moti
     send(sensor.topics.truth, toMessage(exact(sensor.imu), body, motion.state, truth));
 }
 
-void ImuOutput::restart() {
-  for (Sensor& sensor : sensors_) sensor.instants.restart(0);
+void ImuOutput::restart(double t) {
+  for (Sensor& sensor : sensors_) sensor.instants.restart(t);
 }
 
 }  // namespace rigid_body_sim

@@ -36,8 +36,8 @@ class ImuOutput {
   /// any to publish.
   bool publishDue(const Simulation& simulation, double t, double reach);
 
-  /// Time has been set back to the start.
-  void restart();
+  /// Time has been set to t [s].
+  void restart(double t);
 
  private:
   struct Sensor {

@@ -213,15 +213,18 @@ void Outputs::repeatBodies() {
   viewers_ = viewers;
 }
 
-void Outputs::restart() {
-  last_state_stamp_.reset();
-  last_clock_stamp_.reset();
-  greeted_.reset();
+ros::Time Outputs::lastStamp() const {
+  if (!last_state_stamp_ && !last_clock_stamp_) return origin_.stamp(simulation_->time());
+  return std::max(last_state_stamp_.value_or(ros::Time()), last_clock_stamp_.value_or(ros::Time()));
+}
+
+void Outputs::restart(double t) {
+  last_state_stamp_ = last_clock_stamp_ = greeted_ = std::nullopt;
   contacts_.restart();
-  imus_.restart();
+  imus_.restart(t);
   last_t_ = 0;
   for (Instants* instants : {&state_instants_, &clock_instants_, &marker_instants_})
-    instants->restart(0);
+    instants->restart(t);
 }
 
 void Outputs::publishClock(double t) {

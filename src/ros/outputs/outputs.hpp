@@ -69,14 +69,17 @@ class Outputs {
   /// so: rviz drops for good what reaches it before the frames do.
   void repeatBodies();
 
-  /// Time has been set back to the start.
-  void restart();
+  /// Time has been set to t [s], or its stamps have been moved.
+  void restart(double t);
 
   /// Another simulation of the same scene is watched from now on.
   void watch(const Simulation& simulation) { simulation_ = &simulation; }
 
   /// Bodies have been moved other than by time.
   void breakTrails() { live_markers_.breakTrails(); }
+
+  /// The last stamp of a state or a clock; that of the present step where there was none.
+  ros::Time lastStamp() const;
 
   /// [s] The last time that has been published, or that of the present step if that is later.
   double shownTime() const;

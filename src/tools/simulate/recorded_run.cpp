@@ -19,23 +19,23 @@ std::string RecordedRun::notice() const {
   return recorded_.notice.empty() ? "" : path_ + ": " + recorded_.notice;
 }
 
-double RecordedRun::length(const Scene& scene) const {
+double RecordedRun::end(const Scene& scene) const {
   const double h = scene.time_step;
-  if (!end_ || *end_ < static_cast<double>(replay_.lastStep()) * h)
-    return std::max(scene.horizon, endOfEffects(recorded_.inputs, h));
-  return std::max(1.0, std::floor(*end_ / h + 1e-6)) * h;
+  if (!end_ || *end_ < std::max(begin(), static_cast<double>(replay_.lastStep()) * h))
+    return std::max(begin() + scene.horizon, endOfEffects(recorded_.inputs, h));
+  return std::max(begin() / h + 1, std::floor(*end_ / h + 1e-6)) * h;
 }
 
 std::vector<InputEffects> RecordedRun::effects(const World& world) const {
   return effectsOf(recorded_.inputs, replay_.size() - replay_.remaining(), world.bodies.size());
 }
 
-std::string RecordedRun::remainder(double duration) const {
+std::string RecordedRun::remainder(double end) const {
   if (replay_.isDone()) return "";
   return formatted(
       "%s: %zu of %zu inputs were not applied: they come at or after %s s, where this "
       "run ends (--duration)",
-      path_.c_str(), replay_.remaining(), replay_.size(), shortest(duration).c_str());
+      path_.c_str(), replay_.remaining(), replay_.size(), shortest(end).c_str());
 }
 
 }  // namespace rigid_body_sim

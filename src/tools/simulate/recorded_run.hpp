@@ -19,9 +19,12 @@ class RecordedRun {
   /// A line for the user about what the bag does not hold; may be empty.
   std::string notice() const;
 
-  /// [s] How long the recorded run was, in whole steps; where the bag does not show it, the horizon
-  /// or as long as its inputs act, whichever is longer.
-  double length(const Scene& scene) const;
+  /// [s] Where the recorded run began: at zero, or at the time of a state that was loaded.
+  double begin() const { return replay_.loaded() ? replay_.loaded()->t : 0; }
+
+  /// [s] Where it ended, at a step; where the bag does not show it, a horizon after the start or
+  /// where its inputs cease to act, whichever is later.
+  double end(const Scene& scene) const;
 
   const TimeOrigin& origin() const { return recorded_.origin; }
   InputReplay& replay() { return replay_; }
@@ -29,8 +32,8 @@ class RecordedRun {
   /// Of the inputs that have been applied so far.
   std::vector<InputEffects> effects(const World& world) const;
 
-  /// A line about inputs that a run of this duration [s] has not applied; empty if there is none.
-  std::string remainder(double duration) const;
+  /// A line about inputs that a run up to this time [s] has not applied; empty if there is none.
+  std::string remainder(double end) const;
 
  private:
   std::string path_;

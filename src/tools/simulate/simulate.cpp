@@ -106,9 +106,9 @@ void openInputs(Job& job) {
     if (!job.record->notice().empty()) job.note(job.record->notice());
   }
   if (options.load) load(*options.load, job);
-  job.begin = job.simulation.time();
-  const double length = job.record ? job.record->length(job.scene) : job.scene.horizon;
-  job.end = job.begin + options.duration.value_or(length);
+  job.begin = job.record ? job.record->begin() : job.simulation.time();
+  const double end = job.record ? job.record->end(job.scene) : job.begin + job.scene.horizon;
+  job.end = options.duration ? job.begin + *options.duration : end;
   job.sample = options.sample.value_or(job.scene.time_step);
   requireCountable(job.end, job.scene.time_step, "steps");
   requireCountable(job.end, job.sample, "samples");
@@ -178,6 +178,7 @@ State simulate(Job& job, const StepHooks& hooks) {
   if (hooks.before) hooks.before();
   hooks.after();
   State state = job.simulation.state();
+  if (job.record && job.record->replay().loaded()) job.first = state;
   if (job.csv) job.csv->write(job.world, state);
   for (double k = first; k <= last; ++k) {
     const double t = k == last ? job.end : k * job.sample;

@@ -36,8 +36,8 @@ SimulateOptions parseSimulateOptions(int argc, char** argv) {
   const auto scene = readCommandLine(argc, argv, actions, "scene file");
   if (options.load && options.wrench_bag)
     throw UsageError(
-        "--load and --wrench-bag exclude each other: a record is of a whole run, from its start "
-        "on");
+        "--load and --wrench-bag exclude each other: the record of a run that went on from a state "
+        "holds that state");
   options.help = !scene;
   options.scene = scene.value_or("");
   if (options.csv == "-" && options.imu_csv == "-")

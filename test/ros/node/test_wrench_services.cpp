@@ -3,8 +3,10 @@
 #include <rigid_body_sim/ApplyWrench.h>
 #include <rigid_body_sim/ApplyWrenches.h>
 #include <rigid_body_sim/ClearWrenches.h>
+#include <rigid_body_sim/StateFile.h>
 
 #include "doors.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -114,6 +116,29 @@ TEST_F(WrenchServices, ApplyTakesAListWholeOrNotAtAll) {
   pushReference("box", "tug");
   pushReference("canary", "tug");
   stepBoth(20);
+}
+
+TEST_F(WrenchServices, GoOnFromASavedStateToTheSameBits) {
+  const TemporaryDirectory directory;
+  const auto answer = [](const char* service, const std::string& path) {
+    StateFile call;
+    call.request.path = path;
+    EXPECT_TRUE(ros::service::call(std::string("rigid_body_node/") + service, call));
+    EXPECT_EQ(call.response.success, call.response.message.find(" the state at ") < 999);
+    return call.response.message;
+  };
+  AppliedWrench message = lasting("box", "tug");
+  message.start = driver.step(7) + ros::Duration(0.1234);
+  EXPECT_EQ(faultOf(message), "");
+  EXPECT_EQ(answer("save", directory.path("x")).find(directory.path("x: the state at ")), 0U);
+  const ros::Time end = driver.step(300);
+  const nav_msgs::Odometry odometry = driver.odometry("box");
+  answer("load", directory.path("x"));
+  EXPECT_GT(driver.step(300), end);
+  EXPECT_EQ(driver.odometry("box").pose, odometry.pose);
+  EXPECT_EQ(driver.odometry("box").twist, odometry.twist);
+  EXPECT_NE(answer("load", directory.path("none")).find("cannot be opened"), std::string::npos);
+  EXPECT_NE(answer("save", directory.path("none/x")).find("cannot be written"), std::string::npos);
 }
 
 TEST_F(WrenchServices, ClearEndsOneIdNowAndToCome) {
