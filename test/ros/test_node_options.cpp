@@ -93,7 +93,8 @@ TEST(NodeOptions, NeedExactlyOneScene) {
 TEST(NodeOptions, RefuseAnUnknownName) {
   EXPECT_EQ(refusalOf("publish_rat", 10),
             "parameter ~publish_rat: unknown, got '10'; known: body_topics, clock_rate, "
-            "command_timeout, odometry_covariance, publish_clock, publish_rate, "
+            "command_timeout, lockstep, lockstep_period, lockstep_timeout, odometry_covariance, "
+            "publish_clock, publish_rate, "
             "real_time_factor, reset_time, scene, "
             "scene_file, start_paused, start_time, tf_prefix, wrench_timeout");
 }
@@ -132,6 +133,36 @@ TEST(NodeOptions, RefuseAValueOutsideItsRule) {
             "parameter ~wrench_timeout: must be a finite number >= 0, got '-1'");
   EXPECT_NE(refusalOf("clock_rate", std::nan("")), "accepted");
   EXPECT_NE(refusalOf("real_time_factor", std::numeric_limits<double>::infinity()), "accepted");
+}
+
+TEST(NodeOptions, TakeTopicsAsAListOrAsAText) {
+  XmlRpc::XmlRpcValue list = withScene();
+  list["lockstep_period"] = 0.02;
+  list["lockstep"][0] = "box/command";
+  list["lockstep"][1] = "~wrenches";
+  XmlRpc::XmlRpcValue text = list;
+  text["lockstep"] = "[box/command, ~wrenches]";
+  for (const XmlRpc::XmlRpcValue& parameters : {list, text}) {
+    const NodeOptions options = toNodeOptions(parameters);
+    EXPECT_EQ(options.lockstep, (std::vector<std::string>{"box/command", "~wrenches"}));
+    EXPECT_EQ(options.lockstep_period, 0.02);
+  }
+  XmlRpc::XmlRpcValue none = withScene();
+  none["lockstep"] = "";
+  EXPECT_TRUE(toNodeOptions(none).lockstep.empty());
+}
+
+TEST(NodeOptions, RefuseALockstepThatLacksAPart) {
+  EXPECT_EQ(refusalOf("lockstep", "box/command"),
+            "parameter ~lockstep_period: must be > 0 s where ~lockstep names topics, got '0'");
+  EXPECT_EQ(refusalOf("lockstep_period", 0.1),
+            "parameter ~lockstep_period: must be 0 unless ~lockstep names topics: nothing would be "
+            "waited for, got '0.1'");
+  EXPECT_EQ(refusalOf("lockstep", "3 boxes"),
+            "parameter ~lockstep: must be names of topics, as a list or parted by commas, got '3 "
+            "boxes'");
+  EXPECT_EQ(refusalOf("lockstep_timeout", -1),
+            "parameter ~lockstep_timeout: must be a finite number >= 0, got '-1'");
 }
 
 TEST(NodeOptions, SayThatAPathIsNoText) {

@@ -40,6 +40,8 @@ class Timekeeper {
   /// reaches t [s] is due; not above 0: it is.
   double untilDue(double t) const;
 
+  bool followsClock() const { return clock_ != nullptr; }
+
   /// Whether t [s] lies ahead of a clock that is followed.
   bool isAhead(double t) const;
 

@@ -12,7 +12,7 @@
 namespace rigid_body_sim {
 
 /// The topics <body>/command of the bodies with actuators. Each message is applied in order of
-/// arrival, by whoever serves the queue of the handle.
+/// arrival, by whoever serves the queue of the handle; those of the lockstep in their turn.
 class CommandInterfaces {
  public:
   CommandInterfaces(const ros::NodeHandle& nh, const InputContext& context,

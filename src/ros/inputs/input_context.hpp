@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 
 #include "ros/inputs/inputs.hpp"
+#include "ros/inputs/lockstep.hpp"
 #include "ros/inputs/refusals.hpp"
 
 namespace rigid_body_sim {
@@ -16,6 +17,7 @@ struct InputContext {
   Inputs& inputs;
   const TimeOrigin& origin;
   Refusals& refusals;
+  Lockstep& lockstep;
 
   /// Applies the inputs that `read` makes of a message, all or none. Returns why they are refused;
   /// empty if they are not.
@@ -30,7 +32,8 @@ struct InputContext {
     }
   }
 
-  /// Subscribes to messages that are to be taken one by one.
+  /// Subscribes to messages that are to be taken one by one, at once or, on a topic of the
+  /// lockstep, in their turn.
   template <class Message>
   ros::Subscriber subscribe(ros::NodeHandle nh, const std::string& topic,
                             const std::function<void(const Message&)>& take) const {
@@ -38,6 +41,11 @@ struct InputContext {
     constexpr std::uint32_t kQueue = 1000;
     using Callback = boost::function<void(const boost::shared_ptr<const Message>&)>;
     Callback callback = [take](const auto& message) { take(*message); };
+    const std::string name = nh.resolveName(topic);
+    if (lockstep.take(name))
+      callback = [&steps = lockstep, name, take](const auto& message) {
+        steps.hold(name, *message, [message, take] { take(*message); });
+      };
     return nh.subscribe<Message>(topic, kQueue, callback, ros::VoidConstPtr(),
                                  ros::TransportHints().tcpNoDelay());
   }

@@ -19,7 +19,7 @@ namespace rigid_body_sim {
 /// The topics and services by which wrenches come in and end: <body>/wrench of every body that
 /// moves, ~wrench, ~wrenches, ~apply_wrench, ~apply_wrenches, ~clear_wrenches; and /tf_static, for
 /// frames that wrenches name. Each message is applied in order of arrival, by whoever serves the
-/// queue of the handles.
+/// queue of the handles; those of the lockstep in their turn.
 class WrenchInterfaces {
  public:
   /// On a body, acting or to come, beside those of the scene: a sender without end must not fill

@@ -31,6 +31,9 @@ services, publishes odometry and tf.
   _wrench_timeout:=S       how long a wrench without a duration is held, 0: until replaced;
                            default 0.5
   _command_timeout:=S      how long a command to an actuator is held, 0: until replaced; default 0.5
+  _lockstep:=TOPIC         wait for a message of it at every multiple of the period; or a list
+  _lockstep_period:=S      in simulation time, a multiple of the time step
+  _lockstep_timeout:=S     in wall time, after which the node ends; default 0: never
   _publish_clock:=BOOL     start at 0 and send /clock; needs /use_sim_time; default false
   _clock_rate:=HZ          of /clock, per second of simulation time; default 100
   _start_time:=S           where on a /clock that is followed the run starts; default: where it is

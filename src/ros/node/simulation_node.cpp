@@ -18,9 +18,6 @@ using SteadyClock = std::chrono::steady_clock;
 /// Given to roscpp [s] to write the last diagnostics: a shutdown drops what is not written yet.
 constexpr double kTimeToWrite = 0.2;
 
-/// While ~step takes many steps, other callbacks are served that often.
-constexpr std::chrono::milliseconds kServicePeriod(50);
-
 /// <body>/wrench and ~wrench are of different types.
 void checkNames(const Scene& scene) {
   const std::string any_body = ros::names::resolve("~wrench");
@@ -76,7 +73,8 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
                [this](const HandleTopics::Feedback& feedback) {
                  refusals_.check("mouse feedback", mouse_.take(feedback));
                }),
-      input_context_{simulation_, inputs_, time_.origin(), refusals_},
+      lockstep_(options, scene.time_step),
+      input_context_{simulation_, inputs_, time_.origin(), refusals_, lockstep_},
       wrenches_(queues_.nh, queues_.private_nh, scene, input_context_, options),
       commands_(queues_.nh, input_context_, options),
       states_(queues_.private_nh, scene.world_frame, simulation_, inputs_),
@@ -85,6 +83,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       pause_(queues_.private_nh.advertiseService("pause", &SimulationNode::pause, this)),
       step_(queues_.step_nh.advertiseService("step", &SimulationNode::stepPaused, this)),
       reset_(queues_.private_nh.advertiseService("reset", &SimulationNode::reset, this)) {
+  lockstep_.watchOthers(queues_.nh);
   for (const std::string& line : describeSolution(simulation_)) ROS_INFO("%s", line.c_str());
   for (const std::string& line : interfaceLines(movingNames(simulation_.world())))
     ROS_INFO("%s", line.c_str());
@@ -94,9 +93,11 @@ void SimulationNode::run() {
   restartClocks();
   outputs_.setStanding(paused_);
   if (!paused_) outputs_.publishDue();
+  waitInStep();
   while (ros::ok()) {
     serveUntilDue();
-    if (!paused_ && ros::ok()) goOn();
+    // a pause may have ended just now, in lockstep before the messages have come
+    if (!paused_ && !lockstep_.isWaiting() && ros::ok()) goOn();
   }
 }
 
@@ -106,25 +107,56 @@ void SimulationNode::serveUntilDue() {
   serve(0);
   queues_.step_queue.callAvailable();
   if (paused_) {
-    repeatClock();
+    repeat();
     return serve(Timekeeper::kLongestWait);
   }
   while (!paused_ && ros::ok()) {
+    if (lockstep_.isWaiting()) {
+      serveInStep();
+      lockstep_.checkPatience(SteadyClock::now());
+      continue;
+    }
     // anew each time: a callback may have set time back
     const double wait = time_.untilDue(outputs_.instantWithinStep().value_or(nextTime()));
+    // a clock that stands may wait, in lockstep, for whoever comes to this node's topics
+    if (time_.followsClock()) outputs_.setStanding(wait > 0);
     if (wait <= 0) return;
     serve(wait);
     queues_.step_queue.callAvailable();
   }
 }
 
-/// While time stands, at a pace of its own: whoever comes finds a clock.
-void SimulationNode::repeatClock() {
-  constexpr std::chrono::milliseconds kClockPeriod(100);
+/// Where time goes in step with messages: publishes the state and lets time stand until they come.
+void SimulationNode::waitInStep() {
+  if (!lockstep_.isDueAt(simulation_.steps())) return;
+  outputs_.setStanding(true);
+  outputs_.publishNow();
+  lockstep_.begin(inputs_.stamp(), SteadyClock::now());
+}
+
+/// Serves callbacks for a moment, and lets time go on once all messages have come.
+void SimulationNode::serveInStep() {
+  serve(lockstep_.hasAll() ? 0 : Timekeeper::kLongestWait);
+  queues_.step_queue.callAvailable();
+  takeInStep();
+}
+
+void SimulationNode::takeInStep() {
+  if (!lockstep_.isWaiting()) return;
+  if (!lockstep_.hasAll()) return repeat();
+  lockstep_.takeAll();
+  outputs_.setStanding(paused_);
+}
+
+/// While time stands, at a pace of its own: whoever comes finds a clock, and one who may have
+/// answered in vain, in lockstep, the state.
+void SimulationNode::repeat() {
+  constexpr std::chrono::milliseconds kPeriod(100);
   const SteadyClock::time_point now = SteadyClock::now();
-  if (now < next_clock_) return;
-  next_clock_ = now + kClockPeriod;
+  if (now < next_repeat_) return;
+  next_repeat_ = now + kPeriod;
   outputs_.repeatClock();
+  if (lockstep_.isWaiting() && lockstep_.mayHaveLostAnswer()) outputs_.repeatState();
 }
 
 /// The time [s] that the next step reaches.
@@ -195,6 +227,7 @@ void SimulationNode::advance() {
   divergence_.clear();
   outputs_.publishDue();
   endStep();
+  waitInStep();
 }
 
 void SimulationNode::endStep() {
@@ -239,69 +272,11 @@ void SimulationNode::follow(const SimulationInput& input) {
   const double t = simulation_.time();
   if (loads) time_.jumpTo(t, last_stamp, simulation_.world().solver.time_step);
   outputs_.restart(t);
+  lockstep_.restart();
+  outputs_.setStanding(paused_);
   restartClocks();
   if (!paused_) outputs_.publishDue();  // a run begins with the state at its start
-}
-
-bool SimulationNode::pause(std_srvs::SetBool::Request& request,
-                           std_srvs::SetBool::Response& response) {
-  if (paused_ && !request.data) {
-    time_.restart(outputs_.shownTime());
-    outputs_.publishDue();
-  }
-  // a paused simulation is at a step, unless the clock that it follows has not come so far
-  if (!paused_ && request.data && within_step_ && !time_.isAhead(nextTime())) advance();
-  paused_ = request.data;
-  outputs_.setStanding(paused_);
-  response.success = true;
-  response.message = paused_ ? "paused" : "running";
-  return true;
-}
-
-bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response) {
-  std::uint32_t taken = 0;
-  SteadyClock::time_point serve_next = SteadyClock::now() + kServicePeriod;
-  if (!paused_) response.message = stepFault();
-  try {
-    while (response.message.empty() && taken < request.steps) {
-      response.message = stepFault();
-      if (!response.message.empty()) break;
-      advance();
-      ++taken;
-      if (SteadyClock::now() < serve_next) continue;
-      serve(0);
-      serve_next = SteadyClock::now() + kServicePeriod;
-    }
-    if (taken > 0) outputs_.publishNow();
-  } catch (const SimulationDiverged& error) {
-    // paused: the last finite state waits for a reset
-    ROS_FATAL("%s", error.what());
-    response.message = error.what();
-  } catch (const BeyondRosTime& error) {
-    response.message = error.what();
-  }
-  response.success = response.message.empty();
-  if (!response.success && taken > 0)
-    response.message +=
-        "; " + std::to_string(taken) + " of " + std::to_string(request.steps) + " steps were taken";
-  response.stamp = inputs_.stamp();
-  return true;
-}
-
-/// Why no step may be taken by ~step now; empty if one may.
-std::string SimulationNode::stepFault() const {
-  if (!ros::ok()) return "the node shuts down";
-  if (!paused_) return "not paused: ~step advances a paused simulation only";
-  if (time_.isAhead(nextTime())) return "the next step would pass the clock that this node follows";
-  return "";
-}
-
-bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  inputs_.apply(ResetInput{reset_time_});
-  response.success = true;
-  response.message =
-      reset_time_ ? "initial states, time at the start" : "initial states, time runs on";
-  return true;
+  waitInStep();
 }
 
 }  // namespace rigid_body_sim

@@ -40,8 +40,11 @@ class SimulationNode {
  private:
   void serveUntilDue();
   void serve(double seconds);
+  void waitInStep();
+  void serveInStep();
+  void takeInStep();
   double nextTime() const;
-  void repeatClock();
+  void repeat();
   void goOn();
   void publishWithinStep(const std::function<void()>& publish);
   void advance();
@@ -55,6 +58,7 @@ class SimulationNode {
   bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool stepPaused(Step::Request& request, Step::Response& response);
   std::string stepFault() const;
+  std::string lateMessages();
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   const bool reset_time_;
@@ -62,7 +66,7 @@ class SimulationNode {
   std::optional<Simulation> rest_of_step_;  // shown while the simulation is at the step's end
   bool pulled_ = false;                     // by the mouse, for the next step
   bool within_step_ = false;                // a state within the next step has been shown
-  std::chrono::steady_clock::time_point next_clock_;  // sent again while paused
+  std::chrono::steady_clock::time_point next_repeat_;  // while time stands
   Refusals refusals_;
   bool paused_;
   std::string divergence_;  // after which the simulation waits, paused, for a reset; empty: none
@@ -74,6 +78,7 @@ class SimulationNode {
   Monitor monitor_;
   Mouse mouse_;
   HandleTopics handles_;
+  Lockstep lockstep_;
   InputContext input_context_;
   WrenchInterfaces wrenches_;
   CommandInterfaces commands_;

@@ -69,6 +69,31 @@ std::string readPrefix(const std::string& name, XmlRpcValue value) {
   return prefix;
 }
 
+/// A list, or a text of names parted by commas or blanks, as launch files and command lines have
+/// it.
+std::vector<std::string> readTopics(const std::string& name, XmlRpcValue value) {
+  std::string text;
+  const auto add = [&](XmlRpcValue item) {
+    if (item.getType() != XmlRpcValue::TypeString)
+      refuse(name, value, "names of topics, as a list or parted by commas");
+    text += static_cast<std::string&>(item) + " ";
+  };
+  if (value.getType() != XmlRpcValue::TypeArray) {
+    add(value);
+  } else {
+    for (int i = 0; i < value.size(); ++i) add(value[i]);
+  }
+  for (char& c : text)
+    if (c == ',' || c == '[' || c == ']') c = ' ';
+  std::istringstream words(text);
+  std::vector<std::string> topics;
+  std::string fault;
+  for (std::string topic; words >> topic; topics.push_back(topic))
+    if (!ros::names::validate(topic, fault))
+      refuse(name, value, "names of topics, as a list or parted by commas");
+  return topics;
+}
+
 bool readBool(const std::string& name, XmlRpcValue value) {
   if (value.getType() != XmlRpcValue::TypeBoolean) refuse(name, value, "true or false");
   return static_cast<bool&>(value);
@@ -130,6 +155,9 @@ const std::map<std::string, Reader>& readers() {
       {"body_topics", into(&NodeOptions::body_topics, readBool)},
       {"clock_rate", into(&NodeOptions::clock_rate, readRate)},
       {"command_timeout", into(&NodeOptions::command_timeout, readNotNegative)},
+      {"lockstep", into(&NodeOptions::lockstep, readTopics)},
+      {"lockstep_period", into(&NodeOptions::lockstep_period, readNotNegative)},
+      {"lockstep_timeout", into(&NodeOptions::lockstep_timeout, readNotNegative)},
       {"odometry_covariance", into(&NodeOptions::odometry_covariance, readDiagonal)},
       {"publish_clock", into(&NodeOptions::publish_clock, readBool)},
       {"publish_rate", into(&NodeOptions::publish_rate, readRate)},
@@ -176,6 +204,11 @@ NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
       reader->second(name, value, options);
     }
   }
+  if (!options.lockstep.empty() && !(options.lockstep_period > 0))
+    refuse("lockstep_period", options.lockstep_period, "> 0 s where ~lockstep names topics");
+  if (options.lockstep.empty() && options.lockstep_period > 0)
+    refuse("lockstep_period", options.lockstep_period,
+           "0 unless ~lockstep names topics: nothing would be waited for");
   if (options.scene_file.empty() == options.scene_text.empty()) {
     const std::string line = "parameters ~scene_file, ~scene: exactly one must be given, got ";
     if (options.scene_file.empty()) throw ParameterError(line + "neither", {});

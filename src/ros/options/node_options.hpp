@@ -26,7 +26,10 @@ struct NodeOptions {
   bool body_topics = true;       ///< false: no topics of single bodies
   std::string tf_prefix;         ///< of the frames of bodies and points; empty: none
   std::array<double, 6> odometry_covariance{};  ///< diagonal of pose and of twist, >= 0
-  bool reset_time = false;  ///< reset starts time again; with publish_clock only
+  std::vector<std::string> lockstep;  ///< topics with which time goes in step; empty: none
+  double lockstep_period = 0;         ///< [s] of simulation time; > 0 with topics, 0 without
+  double lockstep_timeout = 0;        ///< [s] of wall time, >= 0; 0: waits for ever
+  bool reset_time = false;            ///< reset starts time again; with publish_clock only
   bool start_paused = false;
   std::optional<double> start_time;  ///< [s] where simulation time zero lies on a clock that is
                                      ///< followed; none: where the clock is first heard

@@ -42,7 +42,8 @@ bodies:
   TimeOrigin origin;
   Refusals refusals;
   Inputs inputs{{[] { return false; }, {}, {}}, "world", simulation, origin, 0};
-  InputContext context{simulation, inputs, origin, refusals};
+  Lockstep lockstep{NodeOptions(), world.solver.time_step};
+  InputContext context{simulation, inputs, origin, refusals, lockstep};
 };
 
 }  // namespace

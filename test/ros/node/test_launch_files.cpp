@@ -169,13 +169,21 @@ TEST(LaunchFiles, ShowInRvizWhatTheirNodesPublish) {
 
 TEST(LaunchFiles, PassOnEveryParameterOfTheNode) {
   // by parameter: a value that is not its default, as an argument
-  const std::map<std::string, std::string> values{
-      {"body_topics", "false"},    {"clock_rate", "7"},
-      {"command_timeout", "0.25"}, {"odometry_covariance", "0.5"},
-      {"publish_clock", "true"},   {"publish_rate", "8"},
-      {"real_time_factor", "2"},   {"reset_time", "true"},
-      {"start_paused", "true"},    {"start_time", "9"},
-      {"tf_prefix", "robot_1"},    {"wrench_timeout", "3"}};
+  const std::map<std::string, std::string> values{{"body_topics", "false"},
+                                                  {"clock_rate", "7"},
+                                                  {"command_timeout", "0.25"},
+                                                  {"lockstep", "box/wrench"},
+                                                  {"lockstep_period", "0.5"},
+                                                  {"lockstep_timeout", "60"},
+                                                  {"odometry_covariance", "0.5"},
+                                                  {"publish_clock", "true"},
+                                                  {"publish_rate", "8"},
+                                                  {"real_time_factor", "2"},
+                                                  {"reset_time", "true"},
+                                                  {"start_paused", "true"},
+                                                  {"start_time", "9"},
+                                                  {"tf_prefix", "robot_1"},
+                                                  {"wrench_timeout", "3"}};
   const std::set<std::string> scene{"scene", "scene_file"};
   const std::set<std::string> followed{"start_time"};  // on another node's clock only
   const std::set<std::string> of_a_clock{"publish_clock", "clock_rate", "reset_time",
