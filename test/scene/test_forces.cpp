@@ -113,6 +113,38 @@ TEST(SceneSpring, JoinsTwoThings) {
             kAtForce + "to.world must be a list of 3 numbers [m], got [0, 0]");
 }
 
+// Bodies at rest 1.5 m apart, half a metre more than the tether is long: 40/2 · 0.5².
+TEST(SceneTether, ReachesFromABodyFrameToAnother) {
+  const Built built(sceneWith(
+      "{type: tether, from: {body: box, point: [0, 0, 0]}, to: {body: ball, point: [-1.5, "
+      "0, 0]}, stiffness: 40, damping: 0.1, length: 1}"));
+  ASSERT_EQ(built.world.laws.size(), 1u);
+  EXPECT_STREQ(built.world.laws[0]->name(), "tether");
+  EXPECT_NE(built.world.laws[0]->needs() & kDamping, 0u);
+  const Simulation sim(built.world, built.state);
+  EXPECT_NEAR(mechanicalEnergy(built.world, sim.state()), 5, 1e-14);
+}
+
+TEST(SceneTether, KeepsItsRules) {
+  const std::string tether = "{type: tether, from: {body: box}, to: {world: [0, 0, 2]}, ";
+  EXPECT_EQ(forceError(tether + "stiffness: 0, length: 1}"),
+            kAtForce + "stiffness must be > 0 N/m, got 0");
+  EXPECT_EQ(forceError(tether + "stiffness: 1, length: -1}"),
+            kAtForce + "length must be > 0 m, got -1");
+  EXPECT_EQ(forceError(tether + "stiffness: 1, length: 1, damping: -2}"),
+            kAtForce + "damping must be >= 0 N s/m, got -2");
+  EXPECT_EQ(forceError(tether + "stiffness: 1}"), kAtForce + "missing key 'length'");
+  EXPECT_EQ(
+      forceError(tether + "stiffness: 1, length: 1, rest_length: 1}"),
+      kAtForce + "unknown key 'rest_length' (known: type, from, to, stiffness, damping, length)");
+  EXPECT_EQ(
+      forceError("{type: tether, from: {body: box}, to: {body: box}, stiffness: 1, length: 1}"),
+      kAtForce + "from and to must not be on one body, 'box'");
+  EXPECT_EQ(errorOf(sceneWith(tether + "stiffness: 1, damping: 1, length: 1}", "strang")),
+            "s.yaml:6: integrator must be auto or support damping, as body 'box' needs "
+            "(semi_implicit_euler, rk4, dop853), got 'strang'");
+}
+
 TEST(SceneCentralGravity, ActsOnEveryBodyThatMoves) {
   const Built built(sceneWith("{type: central_gravity, center: [0, 0, 2.5], mu: 8}"));
   EXPECT_EQ(built.world.laws.size(), 2u);
@@ -140,7 +172,7 @@ TEST(SceneCentralGravity, KeepsItsRules) {
 
 TEST(SceneForces, AreOfAKnownType) {
   EXPECT_EQ(forceError("{type: magnet}"),
-            kAtForce + "type must be one of central_gravity, contact, spring, got magnet");
+            kAtForce + "type must be one of central_gravity, contact, spring, tether, got magnet");
   EXPECT_EQ(forceError("{stiffness: 1}"), kAtForce + "missing key 'type'");
   EXPECT_EQ(forceError("7"), kAtForce + "a mapping is expected, got 7");
   EXPECT_EQ(errorOf(boxScene("forces: 3\n")), "s.yaml:6: forces must be a list of laws, got 3");

@@ -43,13 +43,6 @@ class Spring final : public ForceLaw {
   double reach(const Bodies& at) const override;
 
  private:
-  struct Stretch {
-    Vector3d direction_W;  ///< unit, from the first end to the second
-    double length;         ///< [m]
-    double rate;           ///< [m/s] of the length; zero where nothing damps
-  };
-  Stretch stretch(const Bodies& at) const;
-
   std::array<End, 2> ends_;
   Constants constants_;
 };

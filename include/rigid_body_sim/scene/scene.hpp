@@ -146,7 +146,7 @@ struct WrenchDef {
   int line = 0;
 };
 
-/// Where a spring ends: at a point of a body or of the world.
+/// Where a spring or a tether ends: at a point of a body or of the world.
 struct SpringEndDef {
   std::string body;                   ///< empty: the world
   Vector3d point = Vector3d::Zero();  ///< [m] in the body frame, or in the world
@@ -159,6 +159,14 @@ struct SpringDef {
   double stiffness = 0;    ///< [N/m] >= 0
   double damping = 0;      ///< [N s/m] >= 0
   double rest_length = 0;  ///< [m] >= 0
+};
+
+/// See Tether for the law.
+struct TetherDef {
+  SpringEndDef from, to;
+  double stiffness = 0;  ///< [N/m] > 0
+  double damping = 0;    ///< [N s/m] >= 0
+  double length = 0;     ///< [m] > 0
 };
 
 /// See CentralGravity for the law; it acts on every body that moves.
@@ -175,7 +183,7 @@ struct ContactDef {
   ContactParameters parameters;
 };
 
-using ForceLawDef = std::variant<SpringDef, CentralGravityDef, ContactDef>;
+using ForceLawDef = std::variant<SpringDef, TetherDef, CentralGravityDef, ContactDef>;
 
 struct ForceDef {
   ForceLawDef law;

@@ -11,6 +11,7 @@ class ContactLaw : public ForceLaw {
   unsigned needs() const final { return kCoupling | kDamping | kLawStates | kContact; }
   bool hasRate() const final { return true; }
   bool startsAnew() const final { return true; }
+  bool foreseesInFlight() const final { return true; }
   bool switchesSmoothly() const final { return true; }
 };
 

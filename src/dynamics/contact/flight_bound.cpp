@@ -9,28 +9,6 @@ namespace {
 
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
-/// The root of a concave function that is not negative at 0, from below; infinity where there is
-/// none. Wherever it is positive on the right, it is positive in between.
-template <class F>
-double lastRoot(const F& gap, double guess) {
-  constexpr double kFar = 1e9;  // [s]
-  double low = 0, high = guess;
-  while (gap(high) >= 0) {
-    low = high;
-    high *= 4;
-    if (high > kFar) return kNoEnd;
-  }
-  for (int i = 0; i < 100 && high - low > 1e-3 * high; ++i) {
-    const double g_low = gap(low), g_high = gap(high);
-    // the chord of a concave function lies below it: its root is certain
-    const double chord = low + (high - low) * (g_low / (g_low - g_high));
-    const double middle = 0.5 * (low + high);
-    if (chord > low && chord < high && gap(chord) >= 0) low = chord;
-    (gap(middle) >= 0 ? low : high) = std::max(low, middle);
-  }
-  return low;
-}
-
 }  // namespace
 
 double firstRoot(double gap, double speed, double acceleration) {

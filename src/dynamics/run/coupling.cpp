@@ -103,7 +103,7 @@ std::vector<std::size_t> linkingNear(const World& world, const LawTable& laws,
   return linking;
 }
 
-/// Adds the contacts between the group's bodies that do not act.
+/// Adds the contacts and tethers between the group's bodies that do not act.
 void addWaiting(const World& world, const LawTable& laws, const std::vector<double>& law_states,
                 CoupledBodies& group) {
   const auto isHere = [&group](std::size_t body) {
@@ -112,8 +112,7 @@ void addWaiting(const World& world, const LawTable& laws, const std::vector<doub
   for (std::size_t body : group.members) {
     for (std::size_t index : laws.of(body)) {
       const ForceLaw& law = *world.laws[index];
-      if (!(law.needs() & kContact) || law.acts(law_states.data() + laws.firstState(index)))
-        continue;
+      if (!law.startsAnew() || law.acts(law_states.data() + laws.firstState(index))) continue;
       const std::vector<std::size_t> members = law.members();
       if (members.front() == body && std::all_of(members.begin(), members.end(), isHere))
         group.waiting.push_back(index);
@@ -144,6 +143,7 @@ LawTable::Constant LawTable::constantOf(const World& world) {
     constant.first_state.push_back(constant.state_count);
     constant.state_count += law.stateCount();
     if (law.needs() & kContact) constant.contacts.push_back(i);
+    if (law.startsAnew()) constant.one_sided.push_back(i);
     if (law.guardCount() > 0 && std::isfinite(law.touchRadius(0))) {
       constant.of_pairs.push_back(i);
       continue;
@@ -210,7 +210,7 @@ std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& law
   }
   for (std::size_t law : acting)
     groups[group_of[world.laws[law]->members().front()]].laws.push_back(law);
-  if (!laws.contacts().empty())
+  if (!laws.oneSided().empty())
     for (CoupledBodies& group : groups) addWaiting(world, laws, law_states, group);
   return groups;
 }

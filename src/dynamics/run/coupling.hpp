@@ -14,7 +14,7 @@ namespace rigid_body_sim {
 struct CoupledBodies {
   std::vector<std::size_t> members;  ///< indices in the world, ascending
   std::vector<std::size_t> laws;     ///< indices in World::laws, ascending
-  std::vector<std::size_t> waiting;  ///< contacts between them that do not act, likewise
+  std::vector<std::size_t> waiting;  ///< contacts and tethers between them that do not act, likewise
 
   bool operator==(const CoupledBodies& other) const {
     return members == other.members && laws == other.laws && waiting == other.waiting;
@@ -51,6 +51,9 @@ class LawTable {
   /// Those of them that are contacts.
   const std::vector<std::size_t>& contacts() const { return constant_->contacts; }
 
+  /// Laws that act in some places and not in others: contacts and tethers.
+  const std::vector<std::size_t>& oneSided() const { return constant_->one_sided; }
+
   /// As the laws start.
   std::vector<double> start(const World& world) const;
 
@@ -59,7 +62,7 @@ class LawTable {
     std::vector<std::size_t> first_state;  // of each law
     std::size_t state_count = 0;
     std::vector<std::vector<std::size_t>> of_body;  // without laws of pairs
-    std::vector<std::size_t> guarded, contacts, of_pairs;
+    std::vector<std::size_t> guarded, contacts, one_sided, of_pairs;
   };
   static Constant constantOf(const World& world);
 
@@ -77,7 +80,7 @@ std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& law
                                          const std::vector<std::size_t>& bodies,
                                          const std::set<std::size_t>& near = {});
 
-/// What an integrator must support to advance the group (Need); that of contacts that do not act,
+/// What an integrator must support to advance the group (Need); that of contacts and tethers that do not act,
 /// and of actuators, counts where it has to be integrated anyway.
 unsigned needsOf(const World& world, const CoupledBodies& group,
                  const std::vector<WrenchSchedule>& schedules);

@@ -127,8 +127,8 @@ void Grouping::regroup(RunState& run, const std::vector<std::size_t>& bodies, do
     for (std::size_t body : linked.members) states.push_back(run.groups.at(body, t));
     formed.push_back(Group(world, run.laws, linked, choice, t, std::move(states), run.law_states,
                            run.schedules));
-    // those who look for contacts ask for its motion at once
-    if (solvable && !run.laws.contacts().empty()) formed.back().anchorHere(run.schedules);
+    // those who look for contacts and tethers ask for its motion at once
+    if (solvable && !run.laws.oneSided().empty()) formed.back().anchorHere(run.schedules);
   }
   std::vector<std::size_t> changed;
   for (const Group& group : formed)

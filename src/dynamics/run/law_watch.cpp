@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "dynamics/step_too_long.hpp"
 
@@ -55,7 +56,7 @@ bool LawWatch::gatherBounds(const Bound& bound) {
 std::optional<double> LawWatch::firstEvent(double t, double t_end, const double* own,
                                            const Motion& motion, const Bound& bound) {
   if (t_end < quiet_until_) return std::nullopt;
-  if ((compact_law_->needs() & kContact) != 0 && gatherBounds(bound)) {
+  if (compact_law_->foreseesInFlight() && gatherBounds(bound)) {
     const double bounded = std::min(t_end, boundedUntil());
     const std::optional<double> event = certifiedEvent(t, bounded, own, motion);
     if (event || bounded == t_end) return event;
@@ -142,7 +143,8 @@ std::optional<double> LawWatch::certifiedEvent(double t, double t_end, const dou
     t = next;
     step *= 2;
   }
-  throw StepTooLong("a contact comes near too often to be followed");
+  throw StepTooLong(std::string("a ") + compact_law_->name() +
+                    " comes near to act too often to be followed");
 }
 
 void LawWatch::switchModes(double t, double* own, const Motion& motion,

@@ -95,7 +95,7 @@ void LawWatches::restart(std::set<std::size_t> near) {
 bool LawWatches::isWatched(const LawWatch& watch, const RunState& run) const {
   if (acts(watch, run)) return false;
   const Group& group = run.groups.of(watch.members().front());
-  return !(group.mayStop() && group.follows(watch.law()));
+  return group.isForeseen() || !group.follows(watch.law());
 }
 
 void LawWatches::findQuiet(const RunState& run) {
@@ -103,6 +103,7 @@ void LawWatches::findQuiet(const RunState& run) {
   forWatches([&](const LawWatch& watch) {
     if (isWatched(watch, run)) quiet_until_ = std::min(quiet_until_, watch.quietUntil());
   });
+  if (!near_.empty()) quiet_until_ = kNotKnown;
   for (const Group& group : run.groups.all()) {
     if (group.mayStop()) quiet_until_ = kNotKnown;
     if (group.isAtRest()) quiet_until_ = std::min(quiet_until_, group.restsUntil(run.schedules));

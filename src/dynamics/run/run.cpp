@@ -45,7 +45,7 @@ void Run::place(const State& start, bool scheduled) {
   for (WrenchSchedule& schedule : now_.schedules) schedule.advanceTo(now_.time);
   now_.law_states = start.laws.empty() ? now_.laws.start(world) : start.laws;
   contacts_.place(now_.steps);
-  if (start.laws.empty()) contacts_.start(now_, now_.laws.contacts(), start.bodies);
+  if (start.laws.empty()) contacts_.start(now_, now_.laws.oneSided(), start.bodies);
   grouping_.form(now_, start, scheduled);
 }
 

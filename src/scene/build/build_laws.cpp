@@ -3,10 +3,12 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
 #include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/dynamics/spring.hpp>
+#include <rigid_body_sim/dynamics/tether.hpp>
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 #include "scene/build/body_names.hpp"
@@ -38,13 +40,15 @@ class LawBuilder {
 
  private:
   void add(const SpringDef& def) {
-    const Spring::End from = endOf(def.from, "from"), to = endOf(def.to, "to");
-    if (from.body == to.body)
-      fail(force_->line, from.body == kWorld
-                             ? "from and to must not both be fixed in the world"
-                             : "from and to must not be on one body, '" + def.from.body + "'");
+    const auto [from, to] = endsOf(def.from, def.to);
     laws_.push_back(std::make_shared<Spring>(
         from, to, Spring::Constants{def.stiffness, def.damping, def.rest_length}));
+  }
+
+  void add(const TetherDef& def) {
+    const auto [from, to] = endsOf(def.from, def.to);
+    laws_.push_back(std::make_shared<Tether>(
+        from, to, Tether::Constants{def.stiffness, def.damping, def.length}));
   }
 
   void add(const ContactDef& def) {
@@ -61,6 +65,16 @@ class LawBuilder {
       if (!bodies_[i].fixed)
         laws_.push_back(std::make_shared<CentralGravity>(i, def.center, def.mu, def.gradient));
     }
+  }
+
+  std::pair<Spring::End, Spring::End> endsOf(const SpringEndDef& def_from,
+                                             const SpringEndDef& def_to) const {
+    const Spring::End from = endOf(def_from, "from"), to = endOf(def_to, "to");
+    if (from.body == to.body)
+      fail(force_->line, from.body == kWorld
+                             ? "from and to must not both be fixed in the world"
+                             : "from and to must not be on one body, '" + def_from.body + "'");
+    return {from, to};
   }
 
   /// An end on a body that never moves is a point of the world.

@@ -35,6 +35,21 @@ SpringDef readSpring(const Entry& entry) {
   return spring;
 }
 
+TetherDef readTether(const Entry& entry) {
+  static const std::vector<Key<TetherDef>> keys = {
+      {"type", [](const Entry&, TetherDef&) {}, true},
+      {"from", [](const Entry& e, TetherDef& t) { t.from = readEnd(e); }, true},
+      {"to", [](const Entry& e, TetherDef& t) { t.to = readEnd(e); }, true},
+      {"stiffness", [](const Entry& e, TetherDef& t) { t.stiffness = readPositive(e, "N/m"); },
+       true},
+      {"damping", [](const Entry& e, TetherDef& t) { t.damping = readNotNegative(e, "N s/m"); }},
+      {"length", [](const Entry& e, TetherDef& t) { t.length = readPositive(e, "m"); }, true},
+  };
+  TetherDef tether;
+  readMapping(entry, keys, tether);
+  return tether;
+}
+
 CentralGravityDef readCentralGravity(const Entry& entry) {
   static const std::vector<Key<CentralGravityDef>> keys = {
       {"type", [](const Entry&, CentralGravityDef&) {}, true},
@@ -58,6 +73,7 @@ const std::vector<ForceType>& forceTypes() {
       {"central_gravity", [](const Entry& e) -> ForceLawDef { return readCentralGravity(e); }},
       {"contact", [](const Entry& e) -> ForceLawDef { return readContact(e); }},
       {"spring", [](const Entry& e) -> ForceLawDef { return readSpring(e); }},
+      {"tether", [](const Entry& e) -> ForceLawDef { return readTether(e); }},
   };
   return types;
 }

@@ -1,0 +1,52 @@
+#include "dynamics/laws/line.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// [1/kg] At most how much a force at the end accelerates it, per newton: with r the point,
+///   1/m + Σ |r × eᵢ|²/Iᵢ.
+double mobility(const Spring::End& end, const std::vector<const Body*>& bodies) {
+  if (end.body == kWorld) return 0;
+  const Body& body = *bodies[end.body];
+  double sum = 1 / body.mass;
+  for (int i = 0; i < 3; ++i)
+    sum += end.point.cross(Vector3d::Unit(i)).squaredNorm() * body.inv_I(i);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<std::size_t> membersOf(const LineEnds& ends) {
+  std::vector<std::size_t> bodies;
+  for (const Spring::End& end : ends)
+    if (end.body != kWorld) bodies.push_back(end.body);
+  return bodies;
+}
+
+LineEnds reindexedEnds(LineEnds ends, const std::function<std::size_t(std::size_t)>& index) {
+  for (Spring::End& end : ends)
+    if (end.body != kWorld) end.body = index(end.body);
+  return ends;
+}
+
+double reachOf(const LineEnds& ends, const ForceLaw::Bodies& at) {
+  double reach = gapBetween(ends, at).norm();
+  for (const Spring::End& end : ends)
+    if (end.body != kWorld) reach += end.point.norm();
+  return reach;
+}
+
+// The sums of absolute values along the rows of M^(−1/2) K M^(−1/2), which bound its eigenvalues
+// (Gershgorin), M being the mass matrix and K the stiffness.
+void addStiffnessOf(const LineEnds& ends, double stiffness, double damping,
+                    const std::vector<const Body*>& bodies, std::vector<Stiffness>& sums) {
+  const std::array<double, 2> a{mobility(ends[0], bodies), mobility(ends[1], bodies)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (ends[k].body == kWorld) continue;
+    const double row = a[k] + std::sqrt(a[0] * a[1]);
+    sums[ends[k].body].frequency_squared += stiffness * row;
+    sums[ends[k].body].decay += damping * row;
+  }
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,292 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/dynamics/tether.hpp>
+
+#include "dynamics/methods/catalogue.hpp"
+#include "support/random_bodies.hpp"
+#include "support/worlds.hpp"
+
+/// A line that pulls and never pushes.
+namespace rigid_body_sim {
+namespace {
+
+using test::Bench;
+
+/// 1 kg that falls from where the tether ends, L above the point at which it is taut.
+struct Drop {
+  static constexpr long double g = 10, k = 200, c = 3, L = 0.5L;
+
+  /// The extension, its rate and the pull, t after it is taut: a damped oscillator.
+  struct At {
+    long double s, v, pull;
+  };
+  static At taut(long double t) {
+    const long double b = c / 2, w = std::sqrt(k - b * b), rest = g / k;
+    const long double A = -rest, B = (std::sqrt(2 * g * L) + b * A) / w;
+    const long double e = std::exp(-b * t), C = std::cos(w * t), S = std::sin(w * t);
+    const long double s = rest + e * (A * C + B * S);
+    const long double v = e * ((w * B - b * A) * C - (w * A + b * B) * S);
+    return {s, v, k * s + c * v};
+  }
+  static long double tautAt() { return std::sqrt(2 * L / g); }
+
+  /// Where the pull is zero again.
+  static long double limpAfter() {
+    long double before = 0.1L, after = 0.4L;
+    for (int i = 0; i < 100; ++i)
+      (taut((before + after) / 2).pull > 0 ? before : after) = (before + after) / 2;
+    return after;
+  }
+
+  /// z of the body at a time [s] before it is taut again.
+  static long double z(long double t) {
+    if (t < tautAt()) return -g * t * t / 2;
+    const long double tau = t - tautAt();
+    if (tau < limpAfter()) return -L - taut(tau).s;
+    const At limp = taut(limpAfter());
+    const long double free = tau - limpAfter();
+    return -L - (limp.s + limp.v * free + g * free * free / 2);
+  }
+};
+
+Bench droppedBall(double damping = 3) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -10};
+  bench.add(test::principalBody("ball", 1, {0.1, 0.1, 0.1}), BodyFrameMotion());
+  bench.world.laws.push_back(std::make_shared<Tether>(Spring::End{kWorld, Vector3d::Zero()},
+                                                      Spring::End{0, Vector3d::Zero()},
+                                                      Tether::Constants{200, damping, 0.5}));
+  return bench;
+}
+
+/// Whether a run at a time exerts a force, by the mode of its only law.
+bool isTaut(const Simulation& sim, double t) { return sim.sample(t).laws[0] == 1; }
+
+/// [s] The instant within the next step at which the mode changes to or from taut.
+double changeWithin(const Simulation& sim, double from, double to) {
+  const bool at_end = isTaut(sim, to);
+  for (double middle = (from + to) / 2; middle > from && middle < to; middle = (from + to) / 2)
+    (isTaut(sim, middle) == at_end ? to : from) = middle;
+  return to;
+}
+
+}  // namespace
+
+// Rounding of times and of the motion; dop853 at steps of 2.5 ms errs by less.
+TEST(Tether, IsTautAndSlackAtTheInstantsOfTheClosedForm) {
+  constexpr double h = 0.0025;
+  Simulation sim = droppedBall().simulation("dop853", h);
+  std::vector<double> instants;
+  while (sim.time() < 0.6) {
+    if (isTaut(sim, sim.time()) != isTaut(sim, sim.time() + h))
+      instants.push_back(changeWithin(sim, sim.time(), sim.time() + h));
+    sim.step();
+    EXPECT_NEAR(sim.body(0).x_W.z(), static_cast<double>(Drop::z(sim.time())), 1e-13);
+  }
+  ASSERT_EQ(instants.size(), 2u);
+  EXPECT_NEAR(instants[0], static_cast<double>(Drop::tautAt()), 1e-13);
+  EXPECT_NEAR(instants[1], static_cast<double>(Drop::tautAt() + Drop::limpAfter()), 1e-13);
+  EXPECT_NEAR(instants[0], 0.316228, 5e-7);
+  EXPECT_NEAR(instants[1], 0.563748, 5e-7);
+}
+
+TEST(Tether, ConvergesAtTheOrderOfEveryIntegratorThatSupportsIt) {
+  const auto expected = static_cast<double>(Drop::z(0.6));
+  int supporting = 0;
+  for (const Method& method : catalogue()) {
+    if (!method.supports(kCoupling | kDamping)) {
+      EXPECT_THROW(droppedBall().simulation(method.name, 0.01), std::invalid_argument);
+      continue;
+    }
+    ++supporting;
+    std::vector<double> errors;
+    for (int steps : {120, 240})
+      errors.push_back(
+          std::abs(droppedBall().run(method.name, 0.6, steps).bodies[0].x_W.z() - expected));
+    EXPECT_LT(errors[0], std::pow(15 * 0.005, method.order) + 1e-13) << method.name;
+    if (errors[1] > 1e-13) {
+      EXPECT_GT(errors[0] / errors[1], std::exp2(method.order) / 1.6) << method.name;
+    }
+  }
+  EXPECT_EQ(supporting, 3);
+}
+
+// Without damping nothing is dissipated; with it, what the balance says.
+TEST(Tether, KeepsTheBalanceThroughEveryMode) {
+  for (double damping : {0.0, 3.0}) {
+    Simulation sim = droppedBall(damping).simulation("dop853", 0.0025);
+    sim.trackBalance();
+    while (sim.steps() < 400) sim.step();
+    EXPECT_NEAR(sim.balance().energy, 0, 1e-12) << damping;
+    EXPECT_NEAR(sim.balance().momentum.norm(), 0, 1e-12) << damping;
+    if (damping > 0) {
+      EXPECT_LT(sim.exchanged().energy, -0.5);
+    } else {
+      EXPECT_NEAR(sim.exchanged().energy, 0, 1e-12);
+    }
+  }
+}
+
+TEST(Tether, CostsItsBodyNothingWhileItIsSlack) {
+  for (double step : {0.001, 0.03, 0.2}) {
+    Simulation sim = droppedBall().simulation("auto", step);
+    while (sim.time() + step < 0.316) sim.step();
+    EXPECT_TRUE(sim.plans()[0].integrator.empty()) << step;
+    EXPECT_EQ(sim.evaluations(), 0) << step;
+    while (sim.time() < 0.6 - 1e-9) sim.step();
+    EXPECT_GT(sim.evaluations(), 0) << step;
+    EXPECT_TRUE(sim.plans()[0].integrator.empty()) << step;
+    EXPECT_NEAR(sim.body(0).x_W.z(), static_cast<double>(Drop::z(sim.time())), 1e-9) << step;
+  }
+}
+
+// A throw that leaves the reach of the tether for 2 ms in the midst of a step of half a second.
+TEST(Tether, IsTautHoweverShortlyWhateverTheStep) {
+  std::vector<double> speeds;
+  for (double step : {0.5, 0.001}) {
+    Bench bench;
+    bench.world.g_W = {0, 0, -10};
+    BodyFrameMotion motion = test::tumbling({0, 0, 4}, {3, 1, -2});
+    bench.add(test::principalBody("ball", 1, {0.1, 0.15, 0.2}), motion);
+    // the apex is 0.8 m up
+    bench.world.laws.push_back(std::make_shared<Tether>(Spring::End{kWorld, Vector3d::Zero()},
+                                                        Spring::End{0, Vector3d::Zero()},
+                                                        Tether::Constants{1000, 0, 0.8 - 5e-6}));
+    bench.world.solver.tolerance = 1e-12;
+    Simulation sim = bench.simulation("auto", step);
+    while (sim.time() < 0.5 - 1e-9) sim.step();
+    EXPECT_GT(sim.evaluations(), 0) << step;
+    speeds.push_back(sim.body(0).p_W.z());
+  }
+  EXPECT_NEAR(speeds[0], speeds[1], 1e-10);
+  EXPECT_LT(speeds[0], -1 - 1e-6);
+}
+
+// Two bodies in free fall, of which one hangs on a spring: its motion is not known beforehand.
+TEST(Tether, PullsTwoBodiesOfWhichOneIsIntegrated) {
+  std::vector<Vector3d> ends;
+  for (double step : {0.05, 0.002}) {
+    Bench bench;
+    bench.world.solver.tolerance = 1e-11;
+    bench.add(test::principalBody("held", 2, {0.1, 0.15, 0.2}),
+              test::tumbling({0, 1, 0}, {1, 2, 0}));
+    BodyFrameMotion motion = test::tumbling({2, 0, 0}, {0, 0, 1});
+    motion.x_W.x() = 0.3;
+    bench.add(test::principalBody("free", 1, {0.1, 0.15, 0.2}), motion);
+    bench.addSpring({kWorld, Vector3d::Zero()}, {0, {0.1, 0, 0}}, {20, 0, 0});
+    bench.world.laws.push_back(std::make_shared<Tether>(
+        Spring::End{0, {0, 0.1, 0}}, Spring::End{1, {0, 0, 0.1}}, Tether::Constants{300, 1, 1}));
+    Simulation sim = bench.simulation("auto", step);
+    sim.trackBalance();
+    while (sim.time() < 2 - 1e-9) sim.step();
+    EXPECT_LT(sim.body(1).p_W.x(), 1.9) << step;
+    EXPECT_LT(sim.exchanged().energy, 0) << step;
+    EXPECT_NEAR(sim.balance().energy, 0, 1e-9) << step;
+    ends.push_back(sim.body(1).x_W);
+  }
+  EXPECT_LE((ends[0] - ends[1]).norm(), 1e-8);
+}
+
+// Only the tether acts: momenta stay, and the two part and solve again.
+TEST(Tether, KeepsTheMomentaOfAPair) {
+  Bench bench;
+  bench.world.solver.tolerance = 1e-12;
+  BodyFrameMotion motion = test::tumbling({3, 0, 0.5}, {0, 2, 1});
+  bench.add(test::principalBody("a", 1, {0.1, 0.15, 0.2}), BodyFrameMotion());
+  bench.add(test::principalBody("b", 2, {0.1, 0.15, 0.2}), motion);
+  bench.world.laws.push_back(std::make_shared<Tether>(
+      Spring::End{0, {0.1, 0, 0}}, Spring::End{1, {0, 0.2, 0}}, Tether::Constants{100, 0.5, 1}));
+  Simulation sim = bench.simulation("auto", 0.01);
+  const auto sum = [&](Vector3d& p, Vector3d& L) {
+    p = L = Vector3d::Zero();
+    for (const BodyState& s : sim.state().bodies) {
+      p += s.p_W;
+      L += (s.x_W + s.x_low_W).cross(s.p_W) + s.L_W;
+    }
+  };
+  Vector3d p, L, p_end, L_end;
+  sum(p, L);
+  EXPECT_EQ(sim.plans().size(), 2u);
+  while (sim.steps() < 40) sim.step();
+  EXPECT_EQ(sim.plans().size(), 1u);
+  while (sim.steps() < 100) sim.step();
+  sum(p_end, L_end);
+  EXPECT_LE((p_end - p).norm(), 1e-13);
+  EXPECT_LE((L_end - L).norm(), 1e-11);
+  EXPECT_GT(sim.body(0).p_W.norm(), 0.1);
+}
+
+TEST(Tether, GoesOnFromAStateWithTheSameBits) {
+  for (const char* name : {"dop853", "auto"}) {
+    Simulation whole = droppedBall().simulation(name, 0.01);
+    for (int cut : {3, 40, 57, 70}) {
+      while (whole.steps() < cut) whole.step();
+      Simulation rest(whole.world(), whole.state());
+      Simulation copy = whole;
+      for (int i = 0; i < 50; ++i) {
+        copy.step();
+        rest.step();
+      }
+      EXPECT_EQ(rest.state().laws, copy.state().laws) << name << cut;
+      EXPECT_EQ(rest.body(0).x_W, copy.body(0).x_W) << name << cut;
+      EXPECT_EQ(rest.body(0).p_W, copy.body(0).p_W) << name << cut;
+    }
+  }
+}
+
+// At the start, and where a state is set, it is taut or limp if the ends are further apart.
+TEST(Tether, TakesItsModeFromWhereItsEndsAre) {
+  for (const char* name : {"dop853", "auto"}) {
+    Bench bench = droppedBall();
+    bench.initial.bodies[0].x_W.z() = -0.6;
+    Simulation sim = bench.simulation(name, 0.01);
+    EXPECT_EQ(sim.state().laws[0], 1) << name;
+    BodyState state = sim.body(0);
+    state.p_W.z() = 30;
+    sim.setState(0, state);
+    EXPECT_EQ(sim.state().laws[0], 2) << name;
+    state.x_W.z() = -0.1;
+    sim.setState(0, state);
+    EXPECT_EQ(sim.state().laws[0], 0) << name;
+    state.x_W.z() = -1;
+    state.p_W.z() = 0;
+    sim.setState(0, state);
+    EXPECT_EQ(sim.state().laws[0], 1) << name;
+  }
+}
+
+// Central differences over dt = 1e-6 s: dt² times a third derivative of up to some 1e7 J/s³, and
+// the rounding of energies of some 1e3 J over dt.
+TEST(Tether, PullsWithThePowerOfItsPotentialAndItsDamper) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Draw draw(seed);
+    Bench bench;
+    for (int i = 0; i < 2; ++i) {
+      bench.world.bodies.push_back(draw.box(1));
+      bench.initial.bodies.push_back(draw.state(bench.world.bodies.back(), draw.uniform(0, 5)));
+    }
+    bench.initial.bodies[1].x_W.x() += 30;
+    bench.world.laws.push_back(std::make_shared<Tether>(Spring::End{0, {0.3, -0.2, 0.5}},
+                                                        Spring::End{1, {-0.1, 0.4, 0.2}},
+                                                        Tether::Constants{2, 0.3, 0.7}));
+    constexpr double dt = 1e-6;
+    bench.initial.laws = {1};
+    Simulation sim = bench.simulation("dop853", 2 * dt);
+    const State middle = sim.sample(dt);
+    sim.step();
+    const double rate = (mechanicalEnergy(sim.world(), sim.state()) -
+                         mechanicalEnergy(sim.world(), bench.initial)) /
+                        (2 * dt);
+    const std::vector<const Body*> bodies{&sim.world().bodies[0], &sim.world().bodies[1]};
+    const double power =
+        sim.world().laws[0]->externalPower({bodies, middle.bodies, middle.laws.data()});
+    EXPECT_LE(power, 0);
+    EXPECT_NEAR(rate, power, 5e-6 * (1 + std::abs(power))) << seed;
+  }
+}
+
+}  // namespace rigid_body_sim
