@@ -51,6 +51,9 @@ class Drag final : public ForceLaw {
     return true;
   }
 
+  bool isOfMedium() const override { return true; }
+  void addMedium(const Bodies& at, MediumLoad& load) const override;
+
   const Coefficients& coefficients() const { return coefficients_; }
 
  private:

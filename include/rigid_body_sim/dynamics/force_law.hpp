@@ -27,6 +27,8 @@ enum Need : unsigned {
   kSpin = 64       ///< angular momentum of wheels and rotors
 };
 
+struct MediumLoad;
+
 /// What is known of the motion of a body that no law disturbs, up to a time.
 struct MotionBound {
   Vector3d a_W = Vector3d::Zero();  ///< [m/s²] its acceleration is within
@@ -178,6 +180,14 @@ class ForceLaw {
   virtual bool holdsStill(const Bodies& /*at*/, const std::vector<Stray>& /*strays*/) const {
     return false;
   }
+
+  /// Whether it is what a medium exerts on one body, so that its motion can be solved: then
+  /// addMedium adds it to a load.
+  virtual bool isOfMedium() const { return false; }
+  virtual void addMedium(const Bodies& /*at*/, MediumLoad& /*load*/) const {}
+
+  /// Sets the velocity of the medium [m/s], world axes, in its own states. False where it has none.
+  virtual bool setMedium(const Vector3d& /*velocity_W*/, double* /*own*/) const { return false; }
 
   /// Of a law whose force is that of a gravitational field: its centre. An accelerometer does not
   /// read such a force. Null of any other law.

@@ -36,6 +36,12 @@ struct CommandInput {
   ActuatorCommand command;
 };
 
+/// The medium moves at another velocity from now on. Until a reset, after which it is that of the
+/// scene.
+struct WindInput {
+  Vector3d velocity_W = Vector3d::Zero();  ///< [m/s]
+};
+
 /// Back to the initial states, every wrench and command cleared.
 struct ResetInput {
   bool restart_time = false;  ///< also time and the schedule of the scene; else time runs on
@@ -47,7 +53,7 @@ struct LoadInput {
   State state;
 };
 
-using SimulationInput =
-    std::variant<WrenchInput, ClearInput, StateInput, ResetInput, CommandInput, LoadInput>;
+using SimulationInput = std::variant<WrenchInput, ClearInput, StateInput, ResetInput, CommandInput,
+                                     LoadInput, WindInput>;
 
 }  // namespace rigid_body_sim

@@ -79,15 +79,16 @@ class Simulation {
   /// integrator does not support or one more than may be.
   void apply(const SimulationInput& input);
 
-  /// The same by their parts; see WrenchInput, ClearInput, StateInput, ResetInput, CommandInput.
-  /// Bodies on which nothing changes keep their bits. A state that is set leaves the speeds of
-  /// wheels and rotors relative to the body as they are, and L_W follows from them. A command that
-  /// would have started before starts now.
+  /// The same by their parts; see WrenchInput, ClearInput, StateInput, ResetInput, CommandInput,
+  /// WindInput. Bodies on which nothing changes keep their bits. A state that is set leaves the
+  /// speeds of wheels and rotors relative to the body as they are, and L_W follows from them. A
+  /// command that would have started before starts now.
   void applyWrench(const std::string& slot, const PointWrench& wrench);
   void clearWrenches(std::size_t body = ClearInput::kEveryBody, const std::string& slot = "");
   void setState(std::size_t body, const BodyState& state);
   void reset(bool restart_time);
   void command(const ActuatorCommand& command);
+  void setWind(const Vector3d& velocity_W);
 
   /// On from a state as state() gave it, of this run or another of the same world: the same bits
   /// follow as there. A reset still leads to the start of this run. Throws std::invalid_argument,

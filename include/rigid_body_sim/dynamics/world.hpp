@@ -26,6 +26,7 @@ struct World {
   std::vector<PointWrench> wrenches;      ///< scheduled by the scene; times from the start
   std::vector<ActuatorCommand> commands;  ///< likewise
   ForceLaws laws;                         ///< between bodies, points and the world
+  bool has_medium = false;  ///< whether a medium is named, the velocity of which may be set
   /// What IMUs on fixed bodies feel of central gravity; on bodies that move it is a law.
   std::vector<GravityCenter> gravity_centers;
   std::vector<Imu> imus;  ///< body by body

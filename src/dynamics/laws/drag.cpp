@@ -3,6 +3,8 @@
 
 #include <rigid_body_sim/dynamics/drag.hpp>
 
+#include "dynamics/medium/medium_load.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -84,6 +86,12 @@ double Drag::rate(const Bodies& at, const std::vector<double>& speeds) const {
   if (coefficients_.quadratic == 0) return 0;
   return (coefficients_.linear + 2 * coefficients_.quadratic * speeds[body_]) /
          at.bodies[body_]->mass;
+}
+
+void Drag::addMedium(const Bodies& /*at*/, MediumLoad& load) const {
+  load.linear = coefficients_.linear;
+  load.quadratic = coefficients_.quadratic;
+  load.angular_P = coefficients_.angular * Matrix3d::Identity();
 }
 
 void Drag::kick(const Body& body, const Wrench& wrench, double h, BodyState& state) const {

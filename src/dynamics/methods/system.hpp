@@ -38,11 +38,12 @@ struct System {
   std::vector<const ForceLaw*> flow_of;  ///< that on each body or null; empty where there is none
   std::vector<StatefulLaw> stateful_laws;
   std::vector<Driven> driven;
-  bool torque_free = false;        ///< whether nothing that acts exerts a torque
-  bool law_states_change = false;  ///< with time, not only from mode to mode
-  bool has_events = false;         ///< whether any law has guards
-  bool has_contact = false;        ///< whether any law needs kContact
-  double event_precision = 0;      ///< share of a step to which events are located; 0: to rounding
+  std::shared_ptr<const MediumLoad> medium;  ///< on the only body, where it is solved for
+  bool torque_free = false;                  ///< whether nothing that acts exerts a torque
+  bool law_states_change = false;            ///< with time, not only from mode to mode
+  bool has_events = false;                   ///< whether any law has guards
+  bool has_contact = false;                  ///< whether any law needs kContact
+  double event_precision = 0;  ///< share of a step to which events are located; 0: to rounding
 };
 
 /// What changes about a system.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
@@ -125,12 +126,16 @@ std::vector<std::string> describeSolution(const Simulation& simulation) {
   const World& world = simulation.world();
   const auto laws = lawNames(world);
   const auto wrenches = wrenchesByBody(world);
+  std::set<std::size_t> in_medium;
+  for (const auto& law : world.laws)
+    if (law->isOfMedium()) in_medium.insert(law->members().front());
   std::vector<std::string> texts(world.bodies.size(), "fixed"), shortfalls;
   for (const MotionPlan& plan : simulation.plans()) {
     for (std::size_t i : plan.bodies)
       texts[i] = whatActs(world, world.bodies[i], laws[i], !wrenches[i].empty()) + ", " +
                  howSolved(world, world.bodies[i], plan,
-                           leaveFree(wrenches[i]) && world.bodies[i].actuators.empty());
+                           leaveFree(wrenches[i]) && world.bodies[i].actuators.empty() &&
+                               in_medium.count(i) == 0);
     if (!plan.holds) shortfalls.push_back(shortfall(world, plan));
   }
   std::vector<std::string> lines = linesOf(world, texts);

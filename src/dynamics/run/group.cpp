@@ -147,6 +147,7 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
   if (!system_.driven.empty()) gatherActuators(schedules);
   const bool no_laws =
       system_.laws.empty() && system_.flows.empty() && system_.stateful_laws.empty();
+  if (!no_laws && !stepper_) gatherMedium();
   system_.torque_free = no_laws && system_.coupled.empty() &&
                         std::all_of(system_.held.begin(), system_.held.end(),
                                     [](const HeldWrench& held) { return held.torqueFree(); });
@@ -210,7 +211,7 @@ void Group::solve(double t, double t_end, double next_event, Meter& meter) {
   followSolved(problem(), t, t_end, next_event, *solved_,
                [&](const SolvedMotion& motion, double from, double to) {
                  if constexpr (!std::is_same_v<Meter, NoMeter>)
-                   meter(MotionPiece(system_, motion, from, to));
+                   meter(MotionPiece(system_, motion, next_.laws, from, to));
                });
   next_.bodies[0] = solved_->at(t_end);
 }

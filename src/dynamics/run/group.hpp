@@ -131,6 +131,7 @@ class Group {
   std::size_t localIndex(std::size_t body) const;
   void addActuators(const std::vector<WrenchSchedule>& schedules);
   void gatherActuators(const std::vector<WrenchSchedule>& schedules);
+  void gatherMedium();
   void setClocks(double t, std::vector<double>& laws) const;
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
   double nextEvent(const std::vector<WrenchSchedule>& schedules) const;

@@ -38,6 +38,7 @@ std::optional<MotionBound> Group::motionBound(const std::vector<WrenchSchedule>&
   if (!held.world_point_forces.empty()) return std::nullopt;
   // nor has the precession about the momentum of wheels
   if (held.drive && held.drive->spins()) return std::nullopt;
+  if (held.medium) return std::nullopt;  // nor has what drag adds up to
   MotionBound bound;
   bound.a_W = system_.g_W + held.f_W / body.mass;
   bound.a_off = held.f_P.norm() / body.mass;

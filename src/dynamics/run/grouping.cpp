@@ -92,7 +92,7 @@ void Grouping::formAnew(RunState& run, const State& start, bool scheduled) {
     const MethodChoice choice = planner_.atStart(world, run.laws, bodies, trial_start, scheduled,
                                                  static_cast<std::size_t>(trials));
     Group group = formedGroup(run, bodies, start, choice);
-    if (!choice.method && !run.laws.contacts().empty()) group.anchorHere(run.schedules);
+    if (!choice.method && !run.laws.oneSided().empty()) group.anchorHere(run.schedules);
     run.groups.add(std::move(group), run.schedules);
   }
 }

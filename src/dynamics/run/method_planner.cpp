@@ -10,14 +10,28 @@ namespace {
 constexpr double kMaxTrialSteps = 3e5;
 constexpr double kFullTrials = 10;  // groups that may take so much; more of them share it
 
-bool isSolved(const CoupledBodies& group, unsigned needs) {
-  return group.members.size() == 1 && needs == 0;
+/// Whether a law may begin to act on bodies that it finds by bounds on their motion, which drag
+/// has not.
+bool actsInPlaces(const World& world) {
+  return std::any_of(world.laws.begin(), world.laws.end(),
+                     [](const auto& law) { return law->foreseesInFlight(); });
 }
 
 }  // namespace
 
 MethodPlanner::MethodPlanner(const World& world)
-    : method_(world.solver.integrator == "auto" ? nullptr : &methodNamed(world.solver.integrator)) {
+    : method_(world.solver.integrator == "auto" ? nullptr : &methodNamed(world.solver.integrator)),
+      solves_media_(!actsInPlaces(world)) {}
+
+/// A body under held wrenches, by itself or in a medium.
+bool MethodPlanner::isSolved(const World& world, const CoupledBodies& group, unsigned needs,
+                             const std::vector<WrenchSchedule>& schedules) const {
+  if (group.members.size() != 1) return false;
+  if (needs == 0) return true;
+  const WrenchSchedule& schedule = schedules[group.members[0]];
+  return solves_media_ && !schedule.actuators() && schedule.allHeld() &&
+         std::all_of(group.laws.begin(), group.laws.end(),
+                     [&world](std::size_t law) { return world.laws[law]->isOfMedium(); });
 }
 
 void MethodPlanner::requireSupport(unsigned needs, const std::string& body) const {
@@ -32,7 +46,8 @@ MethodChoice MethodPlanner::atStart(const World& world, const LawTable& laws,
                                     const CoupledBodies& group, const TrialStart& start,
                                     bool scheduled, std::size_t trials) {
   const unsigned needs = needsOf(world, group, start.schedules);
-  if (method_ || isSolved(group, needs)) return later(world, group, start.schedules);
+  if (method_ || isSolved(world, group, needs, start.schedules))
+    return later(world, group, start.schedules);
   if (needs & kContact) return later(world, group, start.schedules);
   const auto known = choices_[scheduled].find(group.members);
   if (known != choices_[scheduled].end()) return known->second;
@@ -49,7 +64,7 @@ MethodChoice MethodPlanner::later(const World& world, const CoupledBodies& group
   if (method_) {
     requireSupport(needs, world.bodies[group.members.front()].name);
     choice.method = method_;
-  } else if (!isSolved(group, needs)) {
+  } else if (!isSolved(world, group, needs, schedules)) {
     choice = errorControlled();
   }
   choice.max_turn_share = max_turn_share_;
@@ -82,7 +97,7 @@ MethodChoice MethodPlanner::asPlanned(const World& world, const CoupledBodies& g
     return {&method,    plan.substeps,    plan.error,     max_turn_share_,
             plan.holds, plan.tried_until, plan.cut_short, plan.by_estimates};
   }
-  if (!isSolved(group, needs))
+  if (!isSolved(world, group, needs, schedules))
     throw std::invalid_argument("body '" + body + "': its motion cannot be solved with what acts");
   MethodChoice solved;
   solved.max_turn_share = max_turn_share_;

@@ -47,7 +47,11 @@ class MethodPlanner {
  private:
   using Members = std::vector<std::size_t>;
 
+  bool isSolved(const World& world, const CoupledBodies& group, unsigned needs,
+                const std::vector<WrenchSchedule>& schedules) const;
+
   const Method* method_;  // null: auto
+  bool solves_media_;     // whether motions in a medium may be solved
   double max_turn_share_ = 1;
   /// Of auto's trials, by members; first without the scene's wrenches, then with them.
   std::map<Members, MethodChoice> choices_[2];

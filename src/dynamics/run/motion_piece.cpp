@@ -8,8 +8,9 @@
 
 namespace rigid_body_sim {
 
-MotionPiece::MotionPiece(const System& system, const SolvedMotion& motion, double start, double end)
-    : system_(system), motion_(&motion), start_(start), end_(end) {}
+MotionPiece::MotionPiece(const System& system, const SolvedMotion& motion,
+                         const std::vector<double>& laws, double start, double end)
+    : system_(system), motion_(&motion), laws_(&laws), start_(start), end_(end) {}
 
 MotionPiece::MotionPiece(const System& system, const Method& method, const SystemState& at_start,
                          double start, double end, Workspace& scratch)
@@ -24,8 +25,9 @@ void MotionPiece::at(double t, SystemState& states) const {
   if (motion_) {
     states.bodies.resize(1);
     states.bodies[0] = motion_->at(t);
+    states.laws = *laws_;
     for (const System::Driven& driven : system_.driven)
-      states.laws.assign(1, t - driven.law->drive().start);
+      states.laws[driven.state] = t - driven.law->drive().start;
     return;
   }
   states = *at_start_;

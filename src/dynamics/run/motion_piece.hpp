@@ -10,7 +10,9 @@ namespace rigid_body_sim {
 /// group is a sequence of these (Group::advance): balances sample them, events are located on them.
 class MotionPiece {
  public:
-  MotionPiece(const System& system, const SolvedMotion& motion, double start, double end);
+  /// laws: the laws' own states, but for the time of motors.
+  MotionPiece(const System& system, const SolvedMotion& motion, const std::vector<double>& laws,
+              double start, double end);
 
   /// at_start: before the substep; scratch: memory for shorter steps.
   MotionPiece(const System& system, const Method& method, const SystemState& at_start, double start,
@@ -29,8 +31,9 @@ class MotionPiece {
 
  private:
   const System& system_;
-  const SolvedMotion* motion_ = nullptr;   // or, where null,
-  const Method* method_ = nullptr;         // with
+  const SolvedMotion* motion_ = nullptr;  // or, where null,
+  const Method* method_ = nullptr;        // with
+  const std::vector<double>* laws_ = nullptr;
   const SystemState* at_start_ = nullptr;  // and
   Workspace* scratch_ = nullptr;
   double start_;

@@ -63,6 +63,9 @@ class Run {
   /// Commands an actuator, from its start on or from now.
   void command(const ActuatorCommand& command);
 
+  /// Sets the velocity of the medium; bodies that it does not touch keep their bits.
+  void setWind(const Vector3d& velocity_W);
+
   /// Back to the start; see ResetInput.
   void reset(bool restart_time);
 

@@ -70,6 +70,8 @@ void Simulation::apply(const SimulationInput& input) {
     this->command(command->command);
   } else if (const auto* load = std::get_if<LoadInput>(&input)) {
     this->load(load->state);
+  } else if (const auto* wind = std::get_if<WindInput>(&input)) {
+    setWind(wind->velocity_W);
   } else {
     reset(std::get<ResetInput>(input).restart_time);
   }

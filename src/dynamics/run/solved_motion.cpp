@@ -46,6 +46,7 @@ SolvedMotion::Motion SolvedMotion::solve(const SolvedProblem& p, double t, const
   if (p.wrench.drive)
     return Driven(std::in_place, p.body, p.wrench, p.g_W, state, t - p.wrench.drive->start,
                   p.bound);
+  if (p.wrench.medium) return InMedium(std::in_place, p.body, p.wrench, p.g_W, state, p.bound);
   return Series(std::in_place, p.body, p.wrench, p.g_W, state, duration, p.bound);
 }
 
@@ -62,6 +63,10 @@ SolvedMotion::SolvedMotion(const SolvedProblem& problem, double t, const BodySta
     valid_until_ = t + (*driven)->validFor();
     return;
   }
+  if (const auto* in_medium = std::get_if<InMedium>(&motion_)) {
+    valid_until_ = t + (*in_medium)->validFor();
+    return;
+  }
   // [rad] the angle is reduced in 64 bits, 5e-20 of it: beyond, 1e-4 rad are lost
   constexpr double kMaxTurn = 1e15;
   valid_until_ = t + kMaxTurn / stableNorm(angularVelocity(problem.body.inv_I, state.L_P));
@@ -71,7 +76,7 @@ void SolvedMotion::anchorAnew(const SolvedProblem& same_problem, double t, const
                               double horizon) {
   auto* series = std::get_if<Series>(&motion_);
   if (!series) {
-    if (anchorDriven(same_problem, t, state)) return;
+    if (anchorDriven(same_problem, t, state) || anchorInMedium(same_problem, t, state)) return;
     *this = SolvedMotion(same_problem, t, state, horizon);
     return;
   }
@@ -90,9 +95,21 @@ bool SolvedMotion::anchorDriven(const SolvedProblem& same_problem, double t,
   return true;
 }
 
+bool SolvedMotion::anchorInMedium(const SolvedProblem& same_problem, double t,
+                                  const BodyState& state) {
+  auto* in_medium = std::get_if<InMedium>(&motion_);
+  if (!in_medium) return false;
+  (*in_medium)->startAnew(same_problem.wrench, state);
+  anchor_ = t;
+  valid_until_ = t + (*in_medium)->validFor();
+  return true;
+}
+
 MotionAnchor SolvedMotion::anchor() const {
   if (const auto* series = std::get_if<Series>(&motion_)) return {anchor_, (*series)->start()};
   if (const auto* driven = std::get_if<Driven>(&motion_)) return {anchor_, (*driven)->start()};
+  if (const auto* in_medium = std::get_if<InMedium>(&motion_))
+    return {anchor_, (*in_medium)->start()};
   return {anchor_, std::get<FreeFlight>(motion_).start()};
 }
 
@@ -104,7 +121,8 @@ BodyState SolvedMotion::at(double t) const {
   const double dt = t - anchor_;
   if (const auto* series = std::get_if<Series>(&motion_)) return (*series)->at(dt);
   if (const auto* flight = std::get_if<FreeFlight>(&motion_)) return flight->at(dt);
-  return (*std::get_if<Driven>(&motion_))->at(dt);
+  if (const auto* driven = std::get_if<Driven>(&motion_)) return (*driven)->at(dt);
+  return (*std::get_if<InMedium>(&motion_))->at(dt);
 }
 
 }  // namespace rigid_body_sim

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "dynamics/medium/medium_segment.hpp"
 #include "dynamics/rotation/free_flight.hpp"
 #include "dynamics/run/boxed.hpp"
 #include "dynamics/step_too_long.hpp"
@@ -18,7 +19,7 @@ struct SolvedProblem {
 };
 
 /// The motion of one body, solved from an anchor on: a free flight where there is no torque, else a
-/// Taylor segment; one that is driven where motors act.
+/// Taylor segment; one that is driven where motors act, or one in a medium.
 class SolvedMotion {
  public:
   /// Anchors the motion at a state of time t [s]; it is not asked for beyond `horizon` [s].
@@ -47,10 +48,12 @@ class SolvedMotion {
  private:
   using Series = Boxed<TaylorSegment>;
   using Driven = Boxed<DrivenSegment>;
-  using Motion = std::variant<FreeFlight, Series, Driven>;
+  using InMedium = Boxed<MediumSegment>;
+  using Motion = std::variant<FreeFlight, Series, Driven, InMedium>;
   static Motion solve(const SolvedProblem& problem, double t, const BodyState& state,
                       double duration);
   bool anchorDriven(const SolvedProblem& same_problem, double t, const BodyState& state);
+  bool anchorInMedium(const SolvedProblem& same_problem, double t, const BodyState& state);
 
   double anchor_;
   double valid_until_ = 0;

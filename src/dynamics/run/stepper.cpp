@@ -188,7 +188,7 @@ void Stepper::visit(const System& system, double t, double h, const SystemState&
     SolvedMotion motion(problem, t, states.bodies[0], t + h);
     followSolved(problem, t, t + h, t + h, motion,
                  [&](const SolvedMotion& solved, double from, double to) {
-                   meter(MotionPiece(system, solved, from, to));
+                   meter(MotionPiece(system, solved, states.laws, from, to));
                  });
   }
 }

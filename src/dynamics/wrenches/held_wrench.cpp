@@ -27,7 +27,7 @@ Wrench HeldWrench::at(const BodyState& state) const {
 
 bool HeldWrench::torqueFree() const {
   return f_P.isZero(0) && tau_W.isZero(0) && tau_P.isZero(0) && body_point_forces.empty() &&
-         world_point_forces.empty() && !drive;
+         world_point_forces.empty() && !drive && !medium;
 }
 
 // Source: Knuth, TAOCP 2, 4.2.2, theorem B, twice.

@@ -10,6 +10,8 @@
 
 namespace rigid_body_sim {
 
+struct MediumLoad;
+
 /// The sum of the wrenches that act on one body between two events and depend on its own motion
 /// only: however many there are, evaluation costs the same. With R = R(q_WP):
 ///   force   f = f_W + R f_P
@@ -39,6 +41,10 @@ struct HeldWrench {
 
   /// What actuators add, which changes with time; null where they are idle. Not part of at().
   const ActuatorDrive* drive = nullptr;
+
+  /// What a medium exerts on the body, where it is solved for; kept by the system. at() leaves it
+  /// out.
+  const MediumLoad* medium = nullptr;
 
   /// Whether the wrench is of this kind: axes and point each fixed in the world or in the body
   /// itself, but not body axes at a world point.

@@ -1,0 +1,127 @@
+#include <algorithm>
+
+#include <rigid_body_sim/dynamics/medium_drag.hpp>
+
+#include "dynamics/medium/medium_load.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// x_i |x_i|
+Vector3d squaresOf(const Vector3d& x) { return x.cwiseProduct(x.cwiseAbs()); }
+
+Vector3d mediumVelocity(const ForceLaw::Bodies& at) {
+  return Vector3d(at.own[0], at.own[1], at.own[2]);
+}
+
+/// Drag at the velocity u_P, principal axes [N].
+Vector3d dragForce(const MediumDrag::Coefficients& c, const Vector3d& u_P) {
+  const Vector3d u_D = c.R_PD.transpose() * u_P;
+  const Vector3d along_D =
+      c.linear.axes.cwiseProduct(u_D) + c.quadratic.axes.cwiseProduct(squaresOf(u_D));
+  return -(c.linear.alike + c.quadratic.alike * u_P.norm()) * u_P - c.R_PD * along_D;
+}
+
+Vector3d dragTorque(const MediumDrag::Coefficients& c, const Vector3d& w_P) {
+  return -c.angular.alike * w_P -
+         c.R_PD * c.angular.axes.cwiseProduct(Vector3d(c.R_PD.transpose() * w_P));
+}
+
+/// [1/kg] At most how much a force at the point accelerates it, per newton.
+double mobilityAt(const Body& body, const Vector3d& point_P) {
+  double sum = 1 / body.mass;
+  for (int i = 0; i < 3; ++i) sum += point_P.cross(Vector3d::Unit(i)).squaredNorm() * body.inv_I(i);
+  return sum;
+}
+
+}  // namespace
+
+std::shared_ptr<const ForceLaw> MediumDrag::reindexed(
+    const std::function<std::size_t(std::size_t)>& index) const {
+  return std::make_shared<MediumDrag>(index(body_), coefficients_, medium_W_);
+}
+
+/// u in principal axes.
+Vector3d MediumDrag::throughMedium(const Bodies& at) const {
+  const Body& body = *at.bodies[body_];
+  const BodyState& s = at.states[body_];
+  const Vector3d w_P = angularVelocity(body.inv_I, s.L_P);
+  return rotateBack(s.q_WP, Vector3d(s.p_W / body.mass - mediumVelocity(at))) +
+         w_P.cross(coefficients_.center_P);
+}
+
+void MediumDrag::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
+  const BodyState& s = at.states[body_];
+  const Vector3d f_P = dragForce(coefficients_, throughMedium(at));
+  Wrench& wrench = wrenches[body_];
+  wrench.f_W += rotate(s.q_WP, f_P);
+  wrench.tau_P += coefficients_.center_P.cross(f_P) +
+                  dragTorque(coefficients_, angularVelocity(at.bodies[body_]->inv_I, s.L_P));
+}
+
+double MediumDrag::externalPower(const Bodies& at) const {
+  const BodyState& s = at.states[body_];
+  const Vector3d u_P = throughMedium(at);
+  const Vector3d w_P = angularVelocity(at.bodies[body_]->inv_I, s.L_P);
+  const Vector3d point_P = u_P + rotateBack(s.q_WP, mediumVelocity(at));
+  return dragForce(coefficients_, u_P).dot(point_P) + dragTorque(coefficients_, w_P).dot(w_P);
+}
+
+void MediumDrag::addStiffness(const std::vector<const Body*>& bodies,
+                              std::vector<Stiffness>& stiffness) const {
+  const Coefficients& c = coefficients_;
+  const Body& body = *bodies[body_];
+  stiffness[body_].decay +=
+      (c.linear.alike + c.linear.axes.maxCoeff()) * mobilityAt(body, c.center_P) +
+      (c.angular.alike + c.angular.axes.maxCoeff()) * body.inv_I.maxCoeff();
+}
+
+double MediumDrag::rate(const Bodies& at, const std::vector<double>& speeds) const {
+  const Coefficients& c = coefficients_;
+  const Body& body = *at.bodies[body_];
+  const double speed = speeds[body_] + mediumVelocity(at).norm() +
+                       angularVelocity(body.inv_I, at.states[body_].L_P).norm() * c.center_P.norm();
+  return 2 * (c.quadratic.alike + c.quadratic.axes.maxCoeff()) * speed *
+         mobilityAt(body, c.center_P);
+}
+
+void MediumDrag::setStart(double* own) const {
+  for (int i = 0; i < 3; ++i) {
+    own[i] = medium_W_[i];
+    own[3 + i] = 1;
+  }
+}
+
+void MediumDrag::setGuards(const Bodies& at, double* guards) const {
+  constexpr double kRounding = 1e-12;  // a component that is zero changes its sign by rounding
+  const Vector3d u_D = coefficients_.R_PD.transpose() * throughMedium(at);
+  const double least = kRounding * u_D.norm();
+  for (int i = 0; i < 3; ++i)
+    guards[i] = coefficients_.quadratic.axes[i] > 0 ? at.own[3 + i] * u_D[i] + least : 1;
+}
+
+void MediumDrag::switchMode(std::size_t guard, const Bodies& /*at*/, double* own) const {
+  own[3 + guard] = -own[3 + guard];
+}
+
+bool MediumDrag::setMedium(const Vector3d& velocity_W, double* own) const {
+  for (int i = 0; i < 3; ++i) own[i] = velocity_W[i];
+  return true;
+}
+
+void MediumDrag::addMedium(const Bodies& at, MediumLoad& load) const {
+  const Coefficients& c = coefficients_;
+  const auto along = [&c](const Vector3d& axes) -> Matrix3d {
+    return c.R_PD * axes.asDiagonal() * c.R_PD.transpose();
+  };
+  load.velocity_W = mediumVelocity(at);
+  load.center_P = c.center_P;
+  load.linear = c.linear.alike;
+  if (!c.linear.axes.isZero(0)) load.linear_P = along(c.linear.axes);
+  load.quadratic = c.quadratic.alike;
+  load.quadratic_axes = c.quadratic.axes;
+  load.R_PD = c.R_PD;
+  load.angular_P = along(c.angular.axes) + c.angular.alike * Matrix3d::Identity();
+}
+
+}  // namespace rigid_body_sim
