@@ -13,13 +13,15 @@ std::string bodyScene(const std::string& lines) { return "time_step: 0.01\nbodie
 
 TEST(SceneKeys, MustBeKnown) {
   EXPECT_EQ(errorOf("timestep: 1\n"),
-            "s.yaml:1: unknown key 'timestep' (known: world_frame, gravity, time_step, integrator, "
+            "s.yaml:1: unknown key 'timestep' (known: world_frame, gravity, medium, time_step, "
+            "integrator, "
             "tolerance, horizon, bodies, forces, wrenches, commands)");
   EXPECT_EQ(
       boxError("    mas: 1\n"),
       kAtBox +
           "unknown key 'mas' (known: name, frame, shape, mass, density, inertia, center_of_mass, "
-          "parts, particles, urdf, impossible_inertia, position, orientation, twist, drag, points, "
+          "parts, particles, urdf, impossible_inertia, position, orientation, twist, drag, "
+          "buoyancy, points, "
           "collision, thrusters, rotors, wheels, imus, fixed, visual)");
   EXPECT_EQ(boxError("    twist: {fram: world}\n"),
             kAtBox + "unknown key 'twist.fram' (known: frame, linear, angular)");

@@ -109,6 +109,26 @@ struct PlaneDef {};
 using CompositionDef =
     std::variant<MassProperties, SolidDef, std::vector<PartDef>, Particles, LinkDef, PlaneDef>;
 
+/// See MediumDrag for the law, and Drag for the one of a medium that is not named.
+struct DragDef : Drag::Coefficients {
+  Vector3d linear_axes = Vector3d::Zero();     ///< [N s/m] >= 0, along the axes of the body frame
+  Vector3d quadratic_axes = Vector3d::Zero();  ///< [N s²/m²] likewise
+  Vector3d angular_axes = Vector3d::Zero();    ///< [N m s] likewise
+  std::optional<Vector3d> center;              ///< [m] in the body frame; none: the centre of mass
+
+  bool hasAxes() const {
+    return !linear_axes.isZero(0) || !quadratic_axes.isZero(0) || !angular_axes.isZero(0);
+  }
+  bool any() const { return Drag::Coefficients::any() || hasAxes(); }
+};
+
+/// See Buoyancy for the law.
+struct BuoyancyDef {
+  std::optional<double> volume;    ///< [m³] > 0; none: of what the body is made of
+  std::optional<Vector3d> center;  ///< [m] in the body frame; none: the centre of mass. With volume
+  int line = 0;
+};
+
 struct BodyDef {
   std::string name;
   std::string frame;  ///< in tf; empty: the name
@@ -116,7 +136,8 @@ struct BodyDef {
   Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the world
   Quaterniond orientation = Quaterniond::Identity();  ///< q_WB, unit
   TwistDef twist;
-  Drag::Coefficients drag;
+  DragDef drag;
+  std::optional<BuoyancyDef> buoyancy;
   std::vector<PointDef> points;
   bool fixed = false;  ///< it never moves
   VisualDef visual;
@@ -190,10 +211,17 @@ struct ForceDef {
   int line = 0;
 };
 
+/// What is around all bodies.
+struct MediumDef {
+  double density = 0;                    ///< [kg/m³] >= 0
+  Vector3d velocity = Vector3d::Zero();  ///< [m/s] at the start
+};
+
 struct Scene {
   std::string source = "scene";  ///< file name, for messages
   std::string world_frame = "world";
   std::optional<Vector3d> gravity;  ///< [m/s²] none: no gravity
+  std::optional<MediumDef> medium;  ///< none: at rest, without density
   double time_step = 0;             ///< [s] > 0
   std::string integrator = "auto";  ///< a name of the catalogue
   int integrator_line = 0;

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
-#include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/dynamics/spring.hpp>
 #include <rigid_body_sim/dynamics/tether.hpp>
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 #include "scene/build/body_names.hpp"
 #include "scene/build/build_contacts.hpp"
+#include "scene/build/build_medium.hpp"
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
@@ -32,9 +32,7 @@ class LawBuilder {
       std::visit([this](const auto& def) { add(def); }, force.law);
       ++index_;
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-      if (scene_.bodies[i].drag.any() && !bodies_[i].fixed)
-        laws_.push_back(std::make_shared<Drag>(i, scene_.bodies[i].drag));
+    addMediumLaws(scene_, bodies_, laws_);
     return std::move(laws_);
   }
 

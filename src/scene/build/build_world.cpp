@@ -65,6 +65,7 @@ World buildWorld(const Scene& scene) {
   if (scene.gravity) world.g_W = *scene.gravity;
   world.wrenches = wrenchesOf(scene, world.bodies);
   world.commands = commandsOf(scene, world.bodies);
+  world.has_medium = scene.medium.has_value();
   world.laws = lawsOf(scene, world.bodies);
   world.gravity_centers = gravityCentersOf(scene);
   world.imus = imusOf(scene);

@@ -104,6 +104,7 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
   static const std::vector<Key<Scene>> keys = {
       {"world_frame", [](const Entry& e, Scene& s) { s.world_frame = readWorldFrame(e); }},
       {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
+      {"medium", [](const Entry& e, Scene& s) { s.medium = readMedium(e); }},
       {"time_step", [](const Entry& e, Scene& s) { s.time_step = readPositive(e, "s"); }, true},
       {"integrator",
        [](const Entry& e, Scene& s) {

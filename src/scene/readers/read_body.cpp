@@ -119,6 +119,7 @@ BodyDef readBody(const Entry& list_item) {
       {"orientation", [](const Entry& e, BodyDef& b) { b.orientation = readOrientation(e); }},
       {"twist", later},
       {"drag", [](const Entry& e, BodyDef& b) { b.drag = readDrag(e); }},
+      {"buoyancy", [](const Entry& e, BodyDef& b) { b.buoyancy = readBuoyancy(e); }},
       {"points", [](const Entry& e, BodyDef& b) { b.points = readPoints(e); }},
       {"collision", [](const Entry& e, BodyDef& b) { b.collision = readCollision(e); }},
       {"thrusters", [](const Entry& e, BodyDef& b) { b.actuators.thrusters = readThrusters(e); }},

@@ -94,18 +94,4 @@ ForceDef readForce(const Entry& list_item) {
   entry.child(*type).failRule("must be one of " + names);
 }
 
-Drag::Coefficients readDrag(const Entry& entry) {
-  static const std::vector<Key<Drag::Coefficients>> keys = {
-      {"linear",
-       [](const Entry& e, Drag::Coefficients& d) { d.linear = readNotNegative(e, "N s/m"); }},
-      {"quadratic", [](const Entry& e,
-                       Drag::Coefficients& d) { d.quadratic = readNotNegative(e, "N s^2/m^2"); }},
-      {"angular",
-       [](const Entry& e, Drag::Coefficients& d) { d.angular = readNotNegative(e, "N m s"); }},
-  };
-  Drag::Coefficients drag;
-  readMapping(entry, keys, drag);
-  return drag;
-}
-
 }  // namespace rigid_body_sim

@@ -10,7 +10,12 @@ BodyDef readBody(const Entry& entry);
 WrenchDef readWrench(const Entry& entry);
 ForceDef readForce(const Entry& entry);
 ContactDef readContact(const Entry& entry);
-Drag::Coefficients readDrag(const Entry& entry);
+MediumDef readMedium(const Entry& entry);
+DragDef readDrag(const Entry& entry);
+
+/// None where it is false.
+std::optional<BuoyancyDef> readBuoyancy(const Entry& entry);
+
 std::vector<ThrusterDef> readThrusters(const Entry& entry);
 std::vector<RotorDef> readRotors(const Entry& entry);
 std::vector<WheelDef> readWheels(const Entry& entry);
