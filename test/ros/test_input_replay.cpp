@@ -23,9 +23,10 @@ namespace {
 const std::string kScene = R"(
 gravity: [0, 0, -9.80665]
 time_step: 0.01
+medium: {density: 1.2, velocity: [1, 0, 0]}
 bodies:
 )" + test::kLopsidedBox + R"(    twist: {frame: world, linear: [1, -2, 3], angular: [0.5, -1, 2]}
-  - {name: other, shape: {box: [1, 2, 3]}, mass: 1,
+  - {name: other, shape: {box: [1, 2, 3]}, mass: 1, drag: {linear: 0.1, quadratic: [0.1, 0.2, 0.3]},
      twist: {frame: world, linear: [0, 0, 0], angular: [0.1, 2, 0.1]}}
 wrenches:
   - {body: other, frame: other, force: [1, 2, 3], start: 0.1234, duration: 3}
@@ -87,6 +88,7 @@ class Recorded : public ::testing::Test {
     push("e", 1, 1, 9);
     stepTo(50);
     node.apply(ClearInput{ClearInput::kEveryBody, "e"});
+    node.apply(WindInput{Vector3d(0.1, -2, 1.0 / 3)});
   }
 
   InputReplay replayOf(const std::vector<Input>& messages) const {
@@ -141,7 +143,7 @@ class Recorded : public ::testing::Test {
 
 TEST_F(Recorded, RunIsRepeatedToTheLastBit) {
   wholeRun();
-  EXPECT_EQ(inputs.size(), 13U);
+  EXPECT_EQ(inputs.size(), 14U);
   expectRepeated(replayOf(inputs), 60);
 }
 

@@ -84,6 +84,14 @@ Input messageOf(const LoadInput& input, const World& world, const std::string&) 
   return message;
 }
 
+Input messageOf(const WindInput& input, const World&, const std::string& world_frame) {
+  Input message;
+  message.kind = Input::WIND;
+  message.frame = world_frame;
+  message.twist.linear = toVector3(input.velocity_W);
+  return message;
+}
+
 WrenchInput wrenchOf(const Input& message, const World& world) {
   PointWrench wrench;
   wrench.body = bodyNamed(message.body, world.bodies);
@@ -153,6 +161,8 @@ SimulationInput toInput(const Input& message, const World& world, const std::str
       return commandOf(message, world);
     case Input::LOAD:
       return loadOf(message, world);
+    case Input::WIND:
+      return WindInput{fromVector3(message.twist.linear)};
     default:
       throw std::invalid_argument("unknown kind of input " + std::to_string(message.kind));
   }

@@ -77,6 +77,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       input_context_{simulation_, inputs_, time_.origin(), refusals_, lockstep_},
       wrenches_(queues_.nh, queues_.private_nh, scene, input_context_, options),
       commands_(queues_.nh, input_context_, options),
+      wind_(queues_.private_nh, scene.world_frame, input_context_),
       states_(queues_.private_nh, scene.world_frame, simulation_, inputs_),
       state_files_(queues_.private_nh, simulation_, inputs_,
                    [this](double t) { return time_.faultOfJump(t, outputs_.lastStamp()); }),

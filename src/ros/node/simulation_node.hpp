@@ -17,6 +17,7 @@
 #include "ros/inputs/input_context.hpp"
 #include "ros/inputs/state_files.hpp"
 #include "ros/inputs/state_services.hpp"
+#include "ros/inputs/wind_interface.hpp"
 #include "ros/inputs/wrench_interfaces.hpp"
 #include "ros/mouse/handle_topics.hpp"
 #include "ros/mouse/mouse.hpp"
@@ -82,6 +83,7 @@ class SimulationNode {
   InputContext input_context_;
   WrenchInterfaces wrenches_;
   CommandInterfaces commands_;
+  WindInterface wind_;
   StateServices states_;
   StateFiles state_files_;
   ros::ServiceServer pause_, step_, reset_;
