@@ -198,7 +198,7 @@ TEST(SceneDrag, KeepsItsRules) {
   EXPECT_EQ(dragError("{quadratic: -1}"), at + "drag.quadratic must be >= 0 N s^2/m^2, got -1");
   EXPECT_EQ(dragError("{angular: -1}"), at + "drag.angular must be >= 0 N m s, got -1");
   EXPECT_EQ(dragError("{cubic: 1}"),
-            at + "unknown key 'drag.cubic' (known: linear, quadratic, angular)");
+            at + "unknown key 'drag.cubic' (known: linear, quadratic, angular, center)");
 }
 
 TEST(SceneIntegrator, TakesWhatActsInTheScene) {

@@ -30,9 +30,8 @@ void checkNames(const Scene& scene) {
 
 Simulation makeSimulation(const Scene& scene) {
   checkNames(scene);
-  World world = buildWorld(scene);
-  State initial = initialState(scene, world);
-  return Simulation(std::move(world), std::move(initial));
+  const World world = buildWorld(scene);
+  return Simulation(world, initialState(scene, world));
 }
 
 OutputTopics rosTopics(const ros::NodeHandle& nh, const World& world, const NodeOptions& options) {
