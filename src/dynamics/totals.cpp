@@ -19,8 +19,9 @@ Totals totalsOf(const World& world, const State& state) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (world.bodies[i].fixed) continue;
     const BodyState& body = state.bodies[i];
-    sum.momentum += body.p_W;
-    sum.angular_momentum += body.L_W + Vector3d(body.x_W + body.x_low_W).cross(body.p_W);
+    const Vector3d p_W = momentumOf(world.bodies[i], body);
+    sum.momentum += p_W;
+    sum.angular_momentum += body.L_W + Vector3d(body.x_W + body.x_low_W).cross(p_W);
   }
   return sum;
 }

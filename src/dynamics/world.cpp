@@ -30,7 +30,7 @@ double mechanicalEnergy(const World& world, const State& state) {
     bodies.push_back(&body);
     if (body.fixed) continue;
     energy += kineticEnergy(body, state.bodies[i]) -
-              body.mass * world.g_W.dot(state.bodies[i].x_W + state.bodies[i].x_low_W);
+              body.mass * world.g_W.dot(centerOfMass(body, state.bodies[i]));
   }
   std::vector<double> own = state.laws;
   const bool as_they_start = own.empty();

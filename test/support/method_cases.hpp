@@ -45,6 +45,26 @@ inline Bench draggedSpring() {
   return bench;
 }
 
+/// Swings on a pivot, pushed at a point of the world.
+inline Bench pushedOnPivot() {
+  Bench bench = pushedBox(kWorld, kWorld, 0.1);
+  bench.world.bodies[0] = bodyOnPivot("box", {0.05, -0.1, 0.3});
+  bench.initial.bodies[0] = toBodyState(bench.world.bodies[0], tumbling({0, 0, 0}, {1, -0.7, 0.4}));
+  return bench;
+}
+
+/// A pendulum of two bodies: one on a pivot, another on a spring between them.
+inline Bench bodyHungOnPivoted() {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  bench.add(bodyOnPivot("upper", {0.05, -0.1, 0.3}), tumbling({0, 0, 0}, {1, -0.7, 0.4}));
+  BodyFrameMotion motion = tumbling({-0.5, 0.3, 0.2}, {-0.3, 0.5, 0.4});
+  motion.x_W = {0.4, 0.3, -1.6};
+  bench.add(principalBody("lower", 1, {0.3, 0.2, 0.35}), motion);
+  bench.addSpring({0, {0.1, 0.2, -0.3}}, {1, {0, -0.2, 0.25}}, {10, 0, 0.8});
+  return bench;
+}
+
 inline std::vector<Case> allCases() {
   return {{"free", freeBody(), true},
           {"world_wrench_at_body_point", pushedBox(kWorld, 0, 0.1)},
@@ -62,7 +82,9 @@ inline std::vector<Case> allCases() {
           {"angular_drag", thrown({0, 0, 1.5})},
           {"quadratic_drag", thrown({0, 0.3, 0}), true},
           {"every_drag", thrown({0.4, 0.2, 1})},
-          {"drag_on_a_spring", draggedSpring()}};
+          {"drag_on_a_spring", draggedSpring()},
+          {"on_a_pivot", pushedOnPivot()},
+          {"hung_on_a_body_on_a_pivot", bodyHungOnPivoted()}};
 }
 
 /// What an integrator has to support for the case.

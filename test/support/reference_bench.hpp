@@ -45,9 +45,12 @@ inline reference::Motions referenceRun(const Bench& bench, double duration) {
     if (!(next > t)) continue;
     const auto wrenches = [&](reference::Real, const reference::Motions& m) {
       reference::Loads loads(m.size());
-      for (std::size_t i = 0; i < m.size(); ++i)
-        loads[i].f_W =
-            reference::Real(bench.world.bodies[i].mass) * bench.world.g_W.cast<reference::Real>();
+      for (std::size_t i = 0; i < m.size(); ++i) {
+        const Body& body = bench.world.bodies[i];
+        loads[i].f_W = reference::Real(body.mass) * bench.world.g_W.cast<reference::Real>();
+        const reference::Vector arm_W = m[i].R() * body.com_P.cast<reference::Real>();
+        loads[i].tau_W = arm_W.cross(loads[i].f_W);
+      }
       for (const PointWrench& applied : bench.world.wrenches) {
         if (applied.start > t || applied.end <= t) continue;
         const reference::Load load = detail::loadOf(applied, m);
@@ -55,6 +58,8 @@ inline reference::Motions referenceRun(const Bench& bench, double duration) {
         loads[applied.body].tau_W += load.tau_W;
       }
       for (const reference::Law& law : bench.reference_laws) law(bench.world.bodies, m, loads);
+      for (std::size_t i = 0; i < m.size(); ++i)
+        if (bench.world.bodies[i].pivoted) loads[i].f_W.setZero();
       return loads;
     };
     motions = reference::advance(bench.world.bodies, wrenches, motions, t,

@@ -20,6 +20,13 @@ inline Body principalBody(const std::string& name, double mass, const Vector3d& 
   return makeBody(name, {mass, Vector3d::Zero(), I.asDiagonal()});
 }
 
+/// A body of 2 kg without symmetry, of about 1 kg m², that turns about a point of its frame B.
+inline Body bodyOnPivot(const std::string& name, const Vector3d& point_B) {
+  Matrix3d I_Bcm;
+  I_Bcm << 0.5, 0.02, -0.03, 0.02, 0.7, 0.05, -0.03, 0.05, 0.9;
+  return makeBody(name, {2, {0.1, 0.05, -0.2}, I_Bcm}, {}, point_B);
+}
+
 struct Bench {
   World world;
   State initial;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace rigid_body_sim {
 /// What never changes about a rigid body, in the principal frame P: origin at the centre of mass,
 /// axes the principal axes. Of a body with wheels, moments and axes are those of I − Σ J a aᵀ: the
 /// inertia without what the wheels have about their own axes.
+///
+/// Of a body on a pivot, a point that stays in place, the origin of P is that point, and I is the
+/// inertia about it: with c from the point to the centre of mass,
+///   I = I_cm + m (|c|² E − c cᵀ).
 struct Body {
   std::string name;
   double mass = 0;                ///< [kg] > 0
@@ -22,11 +27,16 @@ struct Body {
   RotationSplit<double> split{};  ///< of its free rotation
   bool fixed = false;             ///< never moves; its mass is then ignored
   std::vector<Actuator> actuators{};
+  bool pivoted = false;               ///< whether the origin of P is a pivot
+  Vector3d com_P = Vector3d::Zero();  ///< [m] centre of mass; the origin of P without a pivot
 };
 
 /// The body of the given mass properties, which include rotors and wheels as if they stood still in
-/// it. Throws std::invalid_argument for what has a fault (massPropertiesFault, actuatorsFault).
+/// it. pivot_B [m]: the point about which it turns without friction; none: it moves freely. Throws
+/// std::invalid_argument for what has a fault (massPropertiesFault, actuatorsFault, a pivot that is
+/// not finite).
 Body makeBody(std::string name, const MassProperties& properties_B,
-              std::vector<Actuator> actuators = {});
+              std::vector<Actuator> actuators = {},
+              const std::optional<Vector3d>& pivot_B = std::nullopt);
 
 }  // namespace rigid_body_sim

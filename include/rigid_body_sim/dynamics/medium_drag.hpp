@@ -5,7 +5,7 @@
 namespace rigid_body_sim {
 
 /// Resistance of a medium that moves at the velocity w, on a point of one body: with c the point
-/// from the centre of mass, u = v + ω × c − w its velocity through the medium, u_i its components
+/// from the origin of P, u = v + ω × c − w its velocity through the medium, u_i its components
 /// in the axes of the drag,
 ///   f = −(linear + quadratic |u|) u − Σ (linear_i + quadratic_i |u_i|) u_i e_i   at the point,
 ///   τ = −angular ω − Σ angular_i ω_i e_i

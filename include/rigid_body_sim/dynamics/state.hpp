@@ -20,14 +20,17 @@ namespace rigid_body_sim {
 ///
 /// Of a body with wheels and rotors, L_W includes their angular momentum H and L_P does not:
 ///   L_W = R(q_WP) (L_P + H),   L_P = I ω
+///
+/// Of a body on a pivot the state is its rotation: x is where the pivot is, p is zero, L is about
+/// the pivot.
 template <class T>
 struct BodyStateT {
-  Vector3<T> x_W = Vector3<T>::Zero();  ///< [m] centre of mass
+  Vector3<T> x_W = Vector3<T>::Zero();  ///< [m] origin of P: the centre of mass, or the pivot
   Vector3<T> x_low_W =
       Vector3<T>::Zero();  ///< [m] what x_W is too coarse to hold: position = x_W + x_low_W
   Quaternion<T> q_WP = Quaternion<T>::Identity();  ///< attitude of the principal axes, unit
   Vector3<T> p_W = Vector3<T>::Zero();             ///< [kg m/s] momentum
-  Vector3<T> L_W = Vector3<T>::Zero();  ///< [kg m²/s] angular momentum about the centre of mass
+  Vector3<T> L_W = Vector3<T>::Zero();  ///< [kg m²/s] angular momentum about the origin of P
   Vector3<T> L_P = Vector3<T>::Zero();  ///< [kg m²/s] I ω, the same in principal axes
 };
 using BodyState = BodyStateT<double>;
@@ -108,12 +111,13 @@ Vector3<T> angularVelocity(const Vector3<T>& inv_I, const Vector3<T>& L_P) {
   return inv_I.cwiseProduct(L_P);
 }
 
-/// State of the centre of mass from the motion of the body frame:
-///   x = x_B + R com,  v = v_B + ω × R com,  p = m v,  L = I ω.
-/// L_W lacks what wheels and rotors have; a simulation that takes the state over adds it.
+/// State of the origin of P from the motion of the body frame, with r from the one to the other:
+///   x = x_B + R r,  v = v_B + ω × R r,  p = m v,  L = I ω.
+/// L_W lacks what wheels and rotors have; a simulation that takes the state over adds it. Of a body
+/// on a pivot p = 0, whatever v_B is.
 BodyState toBodyState(const Body& body, const BodyFrameMotion& motion);
 
-/// The inverse of toBodyState; velocities v_B = v − ω × R com.
+/// The inverse of toBodyState; velocities v_B = v − ω × R r.
 BodyFrameMotion toBodyFrameMotion(const Body& body, const BodyState& state);
 
 /// What the actuators of a body do at the time of the state, which must have State::actuators.
@@ -122,10 +126,16 @@ std::vector<ActuatorReading> readActuators(const Body& body, const State& state,
 /// [m] From one state of a body to another, the low parts of the positions included.
 double distanceBetween(const BodyState& a, const BodyState& b);
 
+/// [m] Where the centre of mass is: x + R c.
+Vector3d centerOfMass(const Body& body, const BodyState& state);
+
+/// [kg m/s] Momentum of the body, m v of its centre of mass: p, and on a pivot m ω × R c.
+Vector3d momentumOf(const Body& body, const BodyState& state);
+
 /// [m] √(I_max/m), a length of the order of the body's size.
 double radiusOfGyration(const Body& body);
 
-/// ½ p²/m + ½ Σ Lᵢ²/Iᵢ  [J]
+/// ½ p²/m + ½ Σ Lᵢ²/Iᵢ  [J]; of a body on a pivot the second is all it has.
 double kineticEnergy(const Body& body, const BodyState& state);
 
 }  // namespace rigid_body_sim

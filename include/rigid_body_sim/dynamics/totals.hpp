@@ -17,6 +17,7 @@ struct Totals {
 
 /// What the bodies that move have:
 ///   mechanicalEnergy,   Σ p,   Σ (x × p + L)
+/// Of a body on a pivot p is momentumOf, which the pivot changes, too.
 Totals totalsOf(const World& world, const State& state);
 
 }  // namespace rigid_body_sim

@@ -7,9 +7,9 @@
 
 namespace rigid_body_sim {
 
-/// Force and torque on a body, about its centre of mass. The torque is the sum of two parts, each
-/// in the axes in which it arises: turning a body's own torque to the world and back would cost a
-/// needle the digits of its small component.
+/// Force and torque on a body, about the origin of P: its centre of mass, or its pivot. The torque
+/// is the sum of two parts, each in the axes in which it arises: turning a body's own torque to the
+/// world and back would cost a needle the digits of its small component.
 ///   total torque = tau_W + R(q_WP) tau_P
 struct Wrench {
   Vector3d f_W = Vector3d::Zero();    ///< [N]
@@ -30,8 +30,7 @@ constexpr double kImpulseRounding = 1e-12;
 Vector3d toWorldAxes(const PointWrench& applied, const Vector3d& v,
                      const std::vector<BodyState>& bodies);
 
-/// [m] From the centre of mass of the body acted on to the point at which the force acts, world
-/// axes.
+/// [m] From the origin of P of the body acted on to the point at which the force acts, world axes.
 Vector3d armOf(const PointWrench& applied, const std::vector<BodyState>& bodies);
 
 /// Adds an applied wrench at the given states of all bodies.

@@ -46,6 +46,16 @@ Vector3d ActuatorLaw::reactionOn(const Bodies& at) const {
   return now.H_P.cross(angularVelocityOf(at)) - now.H_dot_P;
 }
 
+Vector3d ActuatorLaw::onPivot(const Bodies& at) const {
+  Vector3d sum_P = Vector3d::Zero();
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    const ActuatorEntry& entry = (*table_)[k];
+    const double value = valueOf(entry, states_[k], drive_.start + at.own[0]);
+    sum_P += (entry.kind == Kind::kRotor ? value * std::abs(value) : value) * entry.on_pivot_P;
+  }
+  return sum_P;
+}
+
 double ActuatorLaw::potentialEnergy(const Bodies& at) const {
   return energyOf(*table_, states_, drive_.start + at.own[0], Vector3d::Zero());
 }

@@ -45,6 +45,9 @@ class ActuatorLaw final : public ForceLaw {
   /// [N m] The part of the torque that changes no angular momentum: H × ω − H′.
   Vector3d reactionOn(const Bodies& at) const;
 
+  /// [N] Thrust on a body on a pivot, principal axes: what the pivot takes up.
+  Vector3d onPivot(const Bodies& at) const;
+
   /// [W] d/dt (H·ω) of the rotors; w_dot_P [rad/s²]: the body's angular acceleration.
   double couplingPower(const Bodies& at, const Vector3d& w_dot_P) const;
 

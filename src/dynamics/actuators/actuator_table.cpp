@@ -1,6 +1,7 @@
 #include "dynamics/actuators/actuator_table.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "dynamics/actuators/lag.hpp"
 
@@ -60,6 +61,7 @@ ActuatorTable actuatorTable(const Body& body) {
         std::visit([&](const auto& kind) { return entryOf(kind, axes); }, actuator.kind));
     table.back().least = actuator.least;
     table.back().greatest = actuator.greatest;
+    if (body.pivoted) std::swap(table.back().force_P, table.back().on_pivot_P);
   }
   return table;
 }

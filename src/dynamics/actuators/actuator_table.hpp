@@ -11,8 +11,9 @@ namespace rigid_body_sim {
 struct ActuatorEntry {
   enum class Kind { kThruster, kRotor, kWheel };
   Kind kind;
-  Vector3d force_P = Vector3d::Zero();   ///< thruster: d;  rotor: thrust d
-  Vector3d torque_P = Vector3d::Zero();  ///< about the centre of mass, of what is outside the body
+  Vector3d force_P = Vector3d::Zero();     ///< thruster: d;  rotor: thrust d
+  Vector3d torque_P = Vector3d::Zero();    ///< about the origin of P, of what is outside the body
+  Vector3d on_pivot_P = Vector3d::Zero();  ///< of a body on a pivot, in place of force_P
   Vector3d momentum_P = Vector3d::Zero();  ///< rotor: J s d;  wheel: a
   double inertia = 0;                      ///< [kg m²]
   double time_constant = 0;                ///< [s]

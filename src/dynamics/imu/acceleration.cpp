@@ -39,9 +39,15 @@ Vector3d specificForceOf(const Body& body, const BodyMotion& motion, const Vecto
     const Vector3d r_W = (state.x_W - of.center_W) + state.x_low_W;
     const Vector3d arm_W = rotate(state.q_WP, point_P);
     // a fixed body may have its centre of mass anywhere, even where gravity is infinite
-    felt_W += body.fixed ? Vector3d(-gravity(of.mu, r_W + arm_W)) : tide(of.mu, r_W, arm_W);
+    const bool is_held = body.fixed || body.pivoted;
+    felt_W += is_held ? Vector3d(-gravity(of.mu, r_W + arm_W)) : tide(of.mu, r_W, arm_W);
   }
   return rotateBack(state.q_WP, felt_W) + turningOf(body, motion, point_P);
+}
+
+Vector3d pivotForceOf(const Body& body, const BodyMotion& motion) {
+  if (!body.pivoted) return Vector3d::Zero();
+  return body.mass * accelerationOf(body, motion, body.com_P) - motion.acceleration.on_pivoted_W;
 }
 
 }  // namespace rigid_body_sim

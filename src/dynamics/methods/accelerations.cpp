@@ -1,5 +1,7 @@
 #include "dynamics/methods/accelerations.hpp"
 
+#include "dynamics/methods/pivot_law.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -13,6 +15,18 @@ void addGravity(const System& system, const SystemState& states, const ForceLaw&
     motions[i].acceleration.centers.push_back(*law.gravityCenter());
     wrenches[i].tau_W += own[i].tau_W;
     wrenches[i].tau_P += own[i].tau_P;
+  }
+}
+
+/// What is known of bodies on a pivot beside their angular acceleration.
+void addPivots(const System& system, const SystemState& states, std::vector<BodyMotion>& motions) {
+  const std::vector<Vector3d> forces_W = forcesOnPivoted(system, states);
+  for (std::size_t k = 0; k < forces_W.size(); ++k) {
+    const System::Pivot& pivot = system.pivots[k];
+    BodyAcceleration& acceleration = motions[pivot.body].acceleration;
+    acceleration.g_W = pivot.g_W;
+    acceleration.felt_W = -pivot.g_W;
+    acceleration.on_pivoted_W = forces_W[k];
   }
 }
 
@@ -39,6 +53,7 @@ std::vector<BodyMotion> motionsOf(const System& system, const SystemState& state
     motions[i].acceleration.felt_W = dot.p_dot_W / body.mass;
     motions[i].acceleration.w_dot_P = angularVelocity(body.inv_I, dot.L_dot_P);
   }
+  if (!system.pivots.empty()) addPivots(system, states, motions);
   return motions;
 }
 

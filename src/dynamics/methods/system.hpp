@@ -29,8 +29,16 @@ struct System {
     std::size_t state;  ///< the time since the law's drive started, in SystemState::laws
   };
 
+  /// A body on a pivot: of what is held only the torque about the pivot is part of `held`, that of
+  /// gravity included.
+  struct Pivot {
+    std::size_t body;
+    Vector3d g_W;                                             ///< [m/s²]
+    Vector3d f_W = Vector3d::Zero(), f_P = Vector3d::Zero();  ///< [N] forces held, gravity included
+  };
+
   std::vector<const Body*> bodies;
-  Vector3d g_W = Vector3d::Zero();       ///< [m/s²]
+  Vector3d g_W = Vector3d::Zero();       ///< [m/s²]; zero where the only body is on a pivot
   std::vector<HeldWrench> held;          ///< one per body
   std::vector<PointWrench> coupled;      ///< whose axes or point turn with another body
   ForceLaws laws;                        ///< without states of their own and without a flow
@@ -38,6 +46,7 @@ struct System {
   std::vector<const ForceLaw*> flow_of;  ///< that on each body or null; empty where there is none
   std::vector<StatefulLaw> stateful_laws;
   std::vector<Driven> driven;
+  std::vector<Pivot> pivots;
   std::shared_ptr<const MediumLoad> medium;  ///< on the only body, where it is solved for
   bool torque_free = false;                  ///< whether nothing that acts exerts a torque
   bool law_states_change = false;            ///< with time, not only from mode to mode

@@ -4,6 +4,8 @@
 #include <set>
 #include <string>
 
+#include <rigid_body_sim/dynamics/drag.hpp>
+
 #include "dynamics/run/require.hpp"
 
 namespace rigid_body_sim {
@@ -17,6 +19,16 @@ void checkSolver(const SolverOptions& solver) {
   require(isPositive(solver.horizon), "horizon must be > 0 s", solver.horizon);
 }
 
+/// Those that go by the velocity or the acceleration of the centre of mass.
+void checkLawOnPivot(const ForceLaw& law, const std::string& who) {
+  const auto* drag = dynamic_cast<const Drag*>(&law);
+  require(!(law.needs() & kContact) && !law.gravityCenter() &&
+              !(drag && (drag->coefficients().linear > 0 || drag->coefficients().quadratic > 0)),
+          who +
+              " is on a pivot, beside which contact and central gravity are not supported, and "
+              "linear and quadratic drag as MediumDrag alone");
+}
+
 void checkLaw(const World& world, const ForceLaw& law, std::set<std::size_t>& with_flow) {
   const std::string name = std::string("law '") + law.name() + "': ";
   const std::vector<std::size_t> members = law.members();
@@ -25,6 +37,8 @@ void checkLaw(const World& world, const ForceLaw& law, std::set<std::size_t>& wi
     require(body < world.bodies.size(), name + "no body has the index " + std::to_string(body));
     require(!world.bodies[body].fixed,
             name + "body '" + world.bodies[body].name + "' is fixed, no law can move it");
+    if (world.bodies[body].pivoted)
+      checkLawOnPivot(law, name + "body '" + world.bodies[body].name + "'");
   }
   require(!law.hasFlow() || with_flow.insert(members.front()).second,
           name + "body '" + world.bodies[members.front()].name + "' has one already");
@@ -85,6 +99,8 @@ void checkBodyState(const World& world, std::size_t index, const BodyState& s) {
   require(s.x_W.allFinite() && s.x_low_W.allFinite(), body + "position must be finite");
   require(s.p_W.allFinite() && s.L_W.allFinite() && s.L_P.allFinite(),
           body + "momenta must be finite");
+  require(!world.bodies[index].pivoted || s.p_W.isZero(0),
+          body + "p_W must be zero, for it is on a pivot and its state is its rotation alone");
   checkAttitude(body, s.q_WP);
 }
 

@@ -5,8 +5,8 @@
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 
+#include "dynamics/methods/pivot_law.hpp"
 #include "dynamics/rotation/free_top.hpp"
-#include "dynamics/wrenches/held_wrench.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -18,13 +18,17 @@ std::vector<std::vector<PointWrench>> wrenchesByBody(const World& world) {
   return wrenches;
 }
 
-/// Whether each of them, by itself, leaves a body on a free flight.
-bool leaveFree(const std::vector<PointWrench>& wrenches) {
-  return std::all_of(wrenches.begin(), wrenches.end(), [](const PointWrench& wrench) {
-    HeldWrenchSum sum;
-    sum.add(wrench);
-    return sum.sum().torqueFree();
-  });
+/// Whether each of them, by itself, and gravity leave a body without torque.
+bool leaveFree(const World& world, const Body& body, const std::vector<PointWrench>& wrenches) {
+  const bool has_lever = body.pivoted && !world.g_W.isZero(0) && !body.com_P.isZero(0);
+  return !has_lever && body.actuators.empty() &&
+         std::all_of(wrenches.begin(), wrenches.end(), [&](const PointWrench& wrench) {
+           HeldWrenchSum sum;
+           sum.add(wrench);
+           System::Pivot pivot{0, Vector3d::Zero()};
+           const HeldWrench held = body.pivoted ? heldOnPivot(body, sum, pivot) : sum.sum();
+           return held.torqueFree();
+         });
 }
 
 /// Names of the laws on each body, each name once; one pass over the laws of the world.
@@ -46,6 +50,7 @@ std::string whatActs(const World& world, const Body& body, const std::vector<std
   std::vector<std::string> acting;
   if (!world.g_W.isZero(0)) acting.push_back("gravity");
   acting.insert(acting.end(), laws.begin(), laws.end());
+  if (body.pivoted) acting.push_back("pivot");
   if (!body.actuators.empty()) acting.push_back("motors");
   if (has_wrenches) acting.push_back("wrenches");
   if (acting.empty()) return "free";
@@ -132,10 +137,10 @@ std::vector<std::string> describeSolution(const Simulation& simulation) {
   std::vector<std::string> texts(world.bodies.size(), "fixed"), shortfalls;
   for (const MotionPlan& plan : simulation.plans()) {
     for (std::size_t i : plan.bodies)
-      texts[i] = whatActs(world, world.bodies[i], laws[i], !wrenches[i].empty()) + ", " +
-                 howSolved(world, world.bodies[i], plan,
-                           leaveFree(wrenches[i]) && world.bodies[i].actuators.empty() &&
-                               in_medium.count(i) == 0);
+      texts[i] =
+          whatActs(world, world.bodies[i], laws[i], !wrenches[i].empty()) + ", " +
+          howSolved(world, world.bodies[i], plan,
+                    leaveFree(world, world.bodies[i], wrenches[i]) && in_medium.count(i) == 0);
     if (!plan.holds) shortfalls.push_back(shortfall(world, plan));
   }
   std::vector<std::string> lines = linesOf(world, texts);

@@ -49,6 +49,7 @@ void ExchangeMeter::add(double weight, const System& system) {
   sum_.energy += weight * power;
 
   evaluateAllWrenches(system, states_, workspace_);
+  for (const System::Pivot& pivot : system.pivots) addPivot(weight, pivot, system);
   for (const System::Driven& driven : system.driven) addMotors(weight, driven, system);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyState& s = bodies[i];
@@ -72,6 +73,18 @@ void ExchangeMeter::addChange(const System& system, const SystemState& before,
     sum_.angular_momentum += (b.L_W + b_W.cross(b.p_W)) - (a.L_W + a_W.cross(a.p_W));
   }
   sum_.energy += potentialOfLaws(system, after) - potentialOfLaws(system, before);
+}
+
+/// All forces on a body on a pivot together are m a_c. What is held includes the torque of gravity,
+/// whose work the potential accounts for.
+void ExchangeMeter::addPivot(double weight, const System::Pivot& pivot, const System& system) {
+  const Body& body = *system.bodies[pivot.body];
+  const BodyState& s = states_.bodies[pivot.body];
+  BodyMotion motion{s, {}};
+  const Vector3d L_dot_P = stateDot(body, s, workspace_.wrenches[pivot.body]).L_dot_P;
+  motion.acceleration.w_dot_P = angularVelocity(body.inv_I, L_dot_P);
+  workspace_.wrenches[pivot.body].f_W = body.mass * accelerationOf(body, motion, body.com_P);
+  sum_.energy -= weight * pivot.g_W.dot(momentumOf(body, s));
 }
 
 /// What the law of motors leaves out; its reactions change no angular momentum.

@@ -13,6 +13,9 @@ namespace rigid_body_sim {
 ///   impulse: ∫ Σ f dt of all forces, gravity and laws included
 ///   angular impulse: ∫ Σ (x × f + τ) dt likewise, about the world's origin
 ///
+/// A pivot does no work; its force, which follows from how the body accelerates, is part of the
+/// impulse and has the torque x × f about the origin.
+///
 /// Of motors, work is what they put into the body, their wheels and rotors, and the air.
 ///
 /// Each by a Gauss–Legendre rule over each piece of the motion; where the integrator does the
@@ -34,6 +37,7 @@ class ExchangeMeter {
 
  private:
   void add(double weight, const System& system);
+  void addPivot(double weight, const System::Pivot& pivot, const System& system);
   void addMotors(double weight, const System::Driven& driven, const System& system);
 
   Totals sum_;

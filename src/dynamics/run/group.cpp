@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "dynamics/methods/pivot_law.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -29,6 +31,7 @@ Group::Group(const World& world, const LawTable& laws, const CoupledBodies& bodi
   for (std::size_t body : bodies_.members) system_.bodies.push_back(&world.bodies[body]);
   addLaws(world, bodies.laws, laws, law_states);
   if (choice.method && !bodies.waiting.empty()) addLaws(world, bodies.waiting, laws, law_states);
+  addPivots(world);
   addActuators(schedules);
   if (system_.has_contact) system_.event_precision = eventPrecision(system_);
   if (choice.method) stepper_.emplace(choice, tolerance, system_);
@@ -58,6 +61,17 @@ void Group::addLaws(const World& world, const std::vector<std::size_t>& laws, co
       system_.laws.push_back(std::move(law));
     }
   }
+}
+
+/// After all laws whose forces a pivot takes up; motors have none on a body on a pivot.
+void Group::addPivots(const World& world) {
+  for (std::size_t k = 0; k < system_.bodies.size(); ++k)
+    if (system_.bodies[k]->pivoted) system_.pivots.push_back({k, world.g_W});
+  if (system_.pivots.empty()) return;
+  if (system_.bodies.size() == 1) system_.g_W.setZero();
+  if (!solved_choice_.method) return;  // solved without any force
+  system_.stateful_laws.push_back(
+      {std::make_shared<const PivotLaw>(system_.pivots), present_.laws.size()});
 }
 
 void Group::putLawStates(const LawTable& table, std::vector<double>& law_states) const {
@@ -144,6 +158,8 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
   }
   system_.held.clear();
   for (const HeldWrenchSum& sum : sums) system_.held.push_back(sum.sum());
+  for (System::Pivot& pivot : system_.pivots)
+    system_.held[pivot.body] = heldOnPivot(*system_.bodies[pivot.body], sums[pivot.body], pivot);
   if (!system_.driven.empty()) gatherActuators(schedules);
   const bool no_laws =
       system_.laws.empty() && system_.flows.empty() && system_.stateful_laws.empty();

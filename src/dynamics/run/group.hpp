@@ -128,6 +128,7 @@ class Group {
  private:
   void addLaws(const World& world, const std::vector<std::size_t>& laws, const LawTable& table,
                const std::vector<double>& law_states);
+  void addPivots(const World& world);
   std::size_t localIndex(std::size_t body) const;
   void addActuators(const std::vector<WrenchSchedule>& schedules);
   void gatherActuators(const std::vector<WrenchSchedule>& schedules);

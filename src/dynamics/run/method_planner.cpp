@@ -23,13 +23,14 @@ MethodPlanner::MethodPlanner(const World& world)
     : method_(world.solver.integrator == "auto" ? nullptr : &methodNamed(world.solver.integrator)),
       solves_media_(!actsInPlaces(world)) {}
 
-/// A body under held wrenches, by itself or in a medium.
+/// A body under held wrenches, by itself or, where it is on no pivot, in a medium.
 bool MethodPlanner::isSolved(const World& world, const CoupledBodies& group, unsigned needs,
                              const std::vector<WrenchSchedule>& schedules) const {
   if (group.members.size() != 1) return false;
   if (needs == 0) return true;
   const WrenchSchedule& schedule = schedules[group.members[0]];
-  return solves_media_ && !schedule.actuators() && schedule.allHeld() &&
+  return solves_media_ && !world.bodies[group.members[0]].pivoted && !schedule.actuators() &&
+         schedule.allHeld() &&
          std::all_of(group.laws.begin(), group.laws.end(),
                      [&world](std::size_t law) { return world.laws[law]->isOfMedium(); });
 }

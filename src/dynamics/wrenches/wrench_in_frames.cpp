@@ -60,7 +60,7 @@ PointWrench wrenchInWorldAxes(const std::vector<Body>& bodies, std::size_t body,
 PointWrench wrenchAtCenterOfMass(const std::vector<Body>& bodies, std::size_t body,
                                  const Vector3d& force_W, const Vector3d& torque_W) {
   PointWrench wrench = checkedWrench(bodies, body, force_W, torque_W, Vector3d::Zero());
-  wrench.point.setZero();
+  wrench.point = bodies[body].com_P;
   return wrench;
 }
 

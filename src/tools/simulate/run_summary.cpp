@@ -31,6 +31,8 @@ std::vector<Causes> causesOf(const World& world, double t_end,
   for (const auto& law : world.laws)
     for (std::size_t body : law->members()) addOnce(law->name(), causes[body]);
   for (std::size_t i = 0; i < causes.size(); ++i)
+    if (world.bodies[i].pivoted) addOnce("pivot", causes[i]);
+  for (std::size_t i = 0; i < causes.size(); ++i)
     if (!world.bodies[i].actuators.empty()) addOnce("motors", causes[i]);
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].moved) addOnce("set_state or reset", causes[i]);
@@ -49,13 +51,13 @@ std::string joined(const Causes& causes) {
 struct Conserved {
   Conserved(const Body& body, const BodyState& state, const Vector3d& g_W)
       : kinetic(kineticEnergy(body, state)),
-        energy(kinetic - body.mass * g_W.dot(state.x_W + state.x_low_W)),
-        momentum(state.p_W),
+        energy(kinetic - body.mass * g_W.dot(centerOfMass(body, state))),
+        momentum(momentumOf(body, state)),
         angular_momentum(state.L_W) {}
   double kinetic;             // [J]
   double energy;              // [J]
   Vector3d momentum;          // [kg m/s]
-  Vector3d angular_momentum;  // [kg m²/s] about the centre of mass
+  Vector3d angular_momentum;  // [kg m²/s] about the centre of mass, or the pivot
 };
 
 std::string conservedText(const Conserved& a, const Conserved& b, const Vector3d& weight_impulse) {

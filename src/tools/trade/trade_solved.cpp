@@ -4,6 +4,7 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "dynamics/methods/pivot_law.hpp"
 #include "dynamics/rotation/free_top.hpp"
 #include "dynamics/step_too_long.hpp"
 #include "dynamics/taylor/taylor_segment.hpp"
@@ -37,19 +38,21 @@ BodyState rounded(const Fine& f) {
   return s;
 }
 
-HeldWrench heldNow(const WrenchSchedule& schedule) {
+HeldWrench heldNow(const Body& body, const Vector3d& g_W, const WrenchSchedule& schedule) {
   HeldWrenchSum sum;
   for (const PointWrench& wrench : schedule.active()) sum.add(wrench);
-  return sum.sum();
+  System::Pivot pivot{0, g_W};
+  return body.pivoted ? heldOnPivot(body, std::move(sum), pivot) : sum.sum();
 }
 
 /// Advances from t to t_end, split at every start and end of a wrench.
 Fine advanced(const Body& body, const Vector3d& g_W, WrenchSchedule& schedule, Fine state, double t,
               double t_end) {
   schedule.advanceTo(t);
+  const Vector3d fall_W = body.pivoted ? Vector3d::Zero() : g_W;
   while (t < t_end) {
     const double t_next = std::min(t_end, schedule.nextEvent());
-    state = advanceTaylor<long double>(body, heldNow(schedule), g_W, state,
+    state = advanceTaylor<long double>(body, heldNow(body, g_W, schedule), fall_W, state,
                                        static_cast<long double>(t_next) - t);
     t = t_next;
     schedule.advanceTo(t);
