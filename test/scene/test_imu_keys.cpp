@@ -87,11 +87,11 @@ TEST(ImuNames, DifferFromPointsAndFromTheTopicsOfTheBody) {
   EXPECT_EQ(boxError("    imus:\n      tip: {rate: 1}\n    points: {tip: {}}\n"),
             "s.yaml:7: body 'box': imus.tip: name is taken, by the point on line 8");
   for (const std::string name :
-       {"odom", "wrench", "command", "actuators", "applied_wrench", "accel"})
+       {"odom", "wrench", "command", "actuators", "applied_wrench", "accel", "pivot_force"})
     EXPECT_EQ(boxError("    imus: {" + name + ": {rate: 1}}\n"),
               kAtBox + "imus." + name + ": the topic box/" + name +
                   " is the body's own; an IMU needs a name other than accel, actuators, "
-                  "applied_wrench, command, odom, wrench");
+                  "applied_wrench, command, odom, pivot_force, wrench");
   // of different bodies they may be alike
   EXPECT_EQ(boxError("    imus: {imu: {rate: 1}}\n  - {name: ball, shape: {sphere: {radius: 1}}, "
                      "mass: 1, imus: {imu: {rate: 1}}}\n"),

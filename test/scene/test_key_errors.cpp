@@ -20,7 +20,7 @@ TEST(SceneKeys, MustBeKnown) {
       boxError("    mas: 1\n"),
       kAtBox +
           "unknown key 'mas' (known: name, frame, shape, mass, density, inertia, center_of_mass, "
-          "parts, particles, urdf, impossible_inertia, position, orientation, twist, drag, "
+          "parts, particles, urdf, impossible_inertia, position, orientation, twist, pivot, drag, "
           "buoyancy, points, "
           "collision, thrusters, rotors, wheels, imus, fixed, visual)");
   EXPECT_EQ(boxError("    twist: {fram: world}\n"),

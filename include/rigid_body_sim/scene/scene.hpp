@@ -24,6 +24,7 @@ struct TwistDef {
   bool in_body_axes = false;            ///< both vectors; else in world axes
   Vector3d linear = Vector3d::Zero();   ///< [m/s]
   Vector3d angular = Vector3d::Zero();  ///< [rad/s]
+  bool names_linear = false;            ///< whether the file has the key `linear`
   int line = 0;
 };
 
@@ -32,6 +33,12 @@ struct PointDef {
   std::string name;
   Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the body frame
   Quaterniond orientation = Quaterniond::Identity();  ///< q_BF, unit
+  int line = 0;
+};
+
+/// A point of a body that stays where it starts; the body turns about it without friction.
+struct PivotDef {
+  Vector3d point = Vector3d::Zero();  ///< [m] in the body frame
   int line = 0;
 };
 
@@ -136,6 +143,7 @@ struct BodyDef {
   Vector3d position = Vector3d::Zero();               ///< [m] of its origin, in the world
   Quaterniond orientation = Quaterniond::Identity();  ///< q_WB, unit
   TwistDef twist;
+  std::optional<PivotDef> pivot;
   DragDef drag;
   std::optional<BuoyancyDef> buoyancy;
   std::vector<PointDef> points;

@@ -96,6 +96,11 @@ std::shared_ptr<const ForceLaw> ContactBuilder::lawBetween(std::size_t a, std::s
     if (!touches(body))
       refuse("between: body " + quoted(bodies_[body].name) +
              " has no shape to touch by; give it one: collision: [{shape: ...}, ...]");
+  for (const std::size_t body : {a, b})
+    if (bodies_[body].pivoted)
+      refuse("between: body " + quoted(bodies_[body].name) +
+             " is on a pivot, and contact of such a body is not supported; remove its pivot or "
+             "leave it out of between");
   if (isPlane(b)) return lawOnPlane(a, b, parameters);
   if (!isMadeOfBalls(shapeOf(a)) || !isMadeOfBalls(shapeOf(b)))
     refuse(

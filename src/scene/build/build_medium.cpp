@@ -12,15 +12,16 @@ namespace rigid_body_sim {
 namespace {
 
 /// A medium at rest, alike in every direction, at the centre of mass, has a law of its own, which
-/// more integrators support.
+/// more integrators support. It knows no point but the origin of P.
 std::shared_ptr<const ForceLaw> dragOf(const Scene& scene, const DragDef& def, std::size_t body,
                                        const Body& of) {
-  if (!scene.medium && !def.center && !def.hasAxes()) return std::make_shared<Drag>(body, def);
+  const bool at_origin = !def.center && (!of.pivoted || (def.linear == 0 && def.quadratic == 0));
+  if (!scene.medium && at_origin && !def.hasAxes()) return std::make_shared<Drag>(body, def);
   MediumDrag::Coefficients drag;
   drag.linear = {def.linear, def.linear_axes};
   drag.quadratic = {def.quadratic, def.quadratic_axes};
   drag.angular = {def.angular, def.angular_axes};
-  if (def.center) drag.center_P = of.X_BP.inverse() * *def.center;
+  drag.center_P = def.center ? Vector3d(of.X_BP.inverse() * *def.center) : of.com_P;
   drag.R_PD = of.X_BP.linear().transpose();
   return std::make_shared<MediumDrag>(
       body, drag, scene.medium ? scene.medium->velocity : Vector3d(Vector3d::Zero()));
@@ -48,7 +49,7 @@ std::shared_ptr<const ForceLaw> buoyancyOf(const Scene& scene, const BodyDef& de
   };
   const std::string fault = buoyancyFault(scene);
   if (!fault.empty()) fail(fault);
-  DisplacedVolume displaced{0, of.X_BP.translation()};
+  DisplacedVolume displaced{0, of.X_BP * of.com_P};
   if (def.buoyancy->volume) {
     displaced.volume = *def.buoyancy->volume;
     if (def.buoyancy->center) displaced.center_B = *def.buoyancy->center;

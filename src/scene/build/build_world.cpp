@@ -10,6 +10,7 @@
 #include "scene/build/build_imus.hpp"
 #include "scene/build/build_laws.hpp"
 #include "scene/build/check_scene.hpp"
+#include "scene/build/pivot_rules.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -17,8 +18,8 @@ namespace {
 Body bodyOf(const BodyDef& def) {
   // that of a fixed body is ignored; a plane has none, and any other is as good
   const MassProperties any{1, Vector3d::Zero(), Matrix3d::Identity()};
-  Body body =
-      makeBody(def.name, hasMass(def) ? massProperties(def) : any, actuatorsOf(def.actuators));
+  Body body = makeBody(def.name, hasMass(def) ? massProperties(def) : any,
+                       actuatorsOf(def.actuators), pivotOf(def));
   body.fixed = def.fixed;
   return body;
 }

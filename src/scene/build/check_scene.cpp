@@ -7,6 +7,7 @@
 #include "scene/build/body_mass.hpp"
 #include "scene/build/build_actuators.hpp"
 #include "scene/build/inertia_rules.hpp"
+#include "scene/build/pivot_rules.hpp"
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
@@ -94,7 +95,7 @@ void checkActuators(const Scene& scene, const BodyDef& body) {
   if (!body.actuators.any()) return;
   // of what a loaded scene may still break, only wheels remain
   const std::vector<WheelDef>& wheels = body.actuators.wheels;
-  const std::string fault = actuatorsFault(actuatorsOf(body.actuators), massProperties(body).I_Bcm);
+  const std::string fault = actuatorsFault(actuatorsOf(body.actuators), turningInertia(body));
   if (!fault.empty())
     throw SceneError(scene.source, wheels.empty() ? body.line : wheels.front().line,
                      "body '" + body.name + "': " + fault);
@@ -102,8 +103,8 @@ void checkActuators(const Scene& scene, const BodyDef& body) {
 
 /// What an IMU publishes has the name of the IMU.
 void checkImus(const Scene& scene, const BodyDef& body) {
-  static const std::vector<std::string> kTopics{"accel",   "actuators", "applied_wrench",
-                                                "command", "odom",      "wrench"};
+  static const std::vector<std::string> kTopics{"accel", "actuators",   "applied_wrench", "command",
+                                                "odom",  "pivot_force", "wrench"};
   for (const ImuDef& def : body.imus) {
     const std::string where = "body '" + body.name + "': imus." + def.imu.name;
     if (std::find(kTopics.begin(), kTopics.end(), def.imu.name) != kTopics.end())
@@ -126,6 +127,7 @@ void checkScene(const Scene& scene) {
     else
       checkPlane(scene, body);
     checkMotion(scene, body);
+    checkPivot(scene, body);
     checkActuators(scene, body);
     checkImus(scene, body);
   }

@@ -24,8 +24,19 @@ TwistDef readTwist(const Entry& entry, const BodyDef& body) {
   TwistDef twist;
   twist.line = entry.node().line;
   readMapping(entry, keys, twist);
+  twist.names_linear = entry.node().find("linear") != nullptr;
   twist.in_body_axes = readTwistFrame(entry.child(*entry.node().find("frame")), body);
   return twist;
+}
+
+PivotDef readPivot(const Entry& entry) {
+  static const std::vector<Key<PivotDef>> keys = {
+      {"point", [](const Entry& e, PivotDef& p) { p.point = readVector3(e, "m"); }, true},
+  };
+  PivotDef pivot;
+  pivot.line = entry.node().line;
+  readMapping(entry, keys, pivot);
+  return pivot;
 }
 
 PointDef readPoint(const Entry& entry) {
@@ -118,6 +129,7 @@ BodyDef readBody(const Entry& list_item) {
       {"position", [](const Entry& e, BodyDef& b) { b.position = readVector3(e, "m"); }},
       {"orientation", [](const Entry& e, BodyDef& b) { b.orientation = readOrientation(e); }},
       {"twist", later},
+      {"pivot", [](const Entry& e, BodyDef& b) { b.pivot = readPivot(e); }},
       {"drag", [](const Entry& e, BodyDef& b) { b.drag = readDrag(e); }},
       {"buoyancy", [](const Entry& e, BodyDef& b) { b.buoyancy = readBuoyancy(e); }},
       {"points", [](const Entry& e, BodyDef& b) { b.points = readPoints(e); }},
