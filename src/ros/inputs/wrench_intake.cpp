@@ -68,7 +68,7 @@ WrenchInput WrenchIntake::take(const std::string& body, const geometry_msgs::Wre
   if (frame == world_frame_) {
     input.wrench = resolved(wrench);
     // exactly, where the way through the body frame would leave a lever of rounding
-    input.wrench.point.setZero();
+    input.wrench.point = bodies_[input.wrench.body].com_P;
     return input;
   }
   requireFixedToBody(wrench);

@@ -33,7 +33,7 @@ Marker shellOf(Marker marker, const Vector3d& com_B) {
 /// For a body of which nothing is drawn.
 std::vector<Marker> ballOf(const Body& body) {
   std::vector<Marker> ball = shapeMarkers(Sphere{sizeOf(body) / 2});
-  for (Marker& marker : ball) marker.pose.position = toPoint(body.X_BP.translation());
+  for (Marker& marker : ball) marker.pose.position = toPoint(body.X_BP * body.com_P);
   return ball;
 }
 
@@ -48,7 +48,7 @@ InteractiveMarker toHandle(const BodyDef& def, const Body& body, const std::stri
   control.interaction_mode = InteractiveMarkerControl::MOVE_PLANE;
   std::vector<Marker> markers = toMarkers(def, frame);
   for (const Marker& marker : markers.empty() ? ballOf(body) : markers)
-    control.markers.push_back(shellOf(marker, body.X_BP.translation()));
+    control.markers.push_back(shellOf(marker, body.X_BP * body.com_P));
 
   InteractiveMarker handle;
   handle.header.frame_id = frame;

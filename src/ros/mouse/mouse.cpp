@@ -63,10 +63,10 @@ std::string Mouse::take(const Feedback& feedback) {
 /// know the point.
 std::string Mouse::press(std::size_t body, const Feedback& feedback) {
   const Isometry3d& X_BP = simulation_.world().bodies[body].X_BP;
+  const Vector3d com_B = X_BP * simulation_.world().bodies[body].com_P;
   Hold hold;
   hold.client = feedback.client_id;
-  hold.point_B =
-      feedback.mouse_point_valid ? fromPoint(feedback.mouse_point) : X_BP.translation().eval();
+  hold.point_B = feedback.mouse_point_valid ? fromPoint(feedback.mouse_point) : com_B;
   hold.spring.body = body;
   hold.spring.point_P = X_BP.inverse() * hold.point_B;
   std::string fault = drag(hold, feedback);

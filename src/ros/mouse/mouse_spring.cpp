@@ -5,15 +5,18 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kStiffest = 10;      // [rad/s] as in MuJoCo, whose mouse spring has 100 N/m a kg
-constexpr double kTurnPerStep = 0.2;  // [rad]
+constexpr double kStiffest = 10;        // [rad/s] as in MuJoCo, whose mouse spring has 100 N/m a kg
+constexpr double kLeastMobility = 0.1;  // at a pivot, which no force moves: of that of a free body
+constexpr double kTurnPerStep = 0.2;    // [rad]
 
 }  // namespace
 
 double massAtPoint(const Body& body, const Vector3d& r_P) {
   const Vector3d lever_squared =
       Vector3d::Constant(r_P.squaredNorm()) - r_P.cwiseProduct(r_P);  // about each axis
-  return 3 / (3 / body.mass + lever_squared.dot(body.inv_I));
+  const double by_place = body.pivoted ? 0 : 3 / body.mass;
+  const double mobility = by_place + lever_squared.dot(body.inv_I);
+  return 3 / std::max(mobility, kLeastMobility * 3 / body.mass);
 }
 
 PointWrench pullOf(const MouseSpring& spring, const Body& body, const BodyState& state, double h) {

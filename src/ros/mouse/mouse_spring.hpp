@@ -7,12 +7,13 @@ namespace rigid_body_sim {
 /// A point of a body that is pulled to a place.
 struct MouseSpring {
   std::size_t body = 0;
-  Vector3d point_P = Vector3d::Zero();  ///< [m] in principal axes, from the centre of mass
+  Vector3d point_P = Vector3d::Zero();  ///< [m] in principal axes, from the origin of P
   Vector3d goal_W = Vector3d::Zero();   ///< [m]
 };
 
 /// [kg] What a body opposes to a force at a point r, the harmonic mean over directions:
 ///   3 / tr(1/m − r̂ I⁻¹ r̂),   tr(−r̂ I⁻¹ r̂) = Σ (|r|² − rᵢ²) / Iᵢ.
+/// On a pivot without 1/m; there, and close to it, ten times the mass of the body.
 double massAtPoint(const Body& body, const Vector3d& r_P);
 
 /// The pull on the body as it is now, for a step of h [s]: a force in world axes at the point,

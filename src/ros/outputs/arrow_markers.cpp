@@ -57,7 +57,10 @@ void addArrow(const Kind& kind, const Vector3d& tail_W, const Vector3d& v_W, dou
 
 }  // namespace
 
-double sizeOf(const Body& body) { return 2 * std::sqrt(5 * body.I.sum() / (6 * body.mass)); }
+double sizeOf(const Body& body) {
+  const double about_com = body.I.sum() - 2 * body.mass * body.com_P.squaredNorm();
+  return 2 * std::sqrt(5 * std::max(about_com, 0.01 * body.I.sum()) / (6 * body.mass));
+}
 
 std::vector<Marker> wrenchArrows(const PointWrench& applied, const std::vector<Body>& bodies,
                                  const std::vector<BodyState>& states) {
@@ -88,7 +91,7 @@ std::vector<Marker> actuatorArrows(const Body& body, const std::string& body_fra
     const auto* wheel = std::get_if<Wheel>(&kind);
     if (!wheel) continue;
     const Vector3d torque_B = -readings[i].torque * wheel->axis_B;  // on the body
-    addArrow(kActuatorTorque, body.X_BP.translation(), torque_B, weight * size / 2, size, arrows);
+    addArrow(kActuatorTorque, body.X_BP * body.com_P, torque_B, weight * size / 2, size, arrows);
   }
   for (Marker& arrow : arrows) {
     arrow.header.frame_id = body_frame;  // at its latest pose: no stamp

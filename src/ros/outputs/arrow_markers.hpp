@@ -21,7 +21,7 @@ double sizeOf(const Body& body);
 ///   the force of a thruster or rotor from its place, the torque of a wheel on the body from the
 ///   centre of mass,
 ///   normal and friction force on the body that touches, from the place where it touches,
-///   the angular momentum from the centre of mass.
+///   the angular momentum from the centre of mass, or from the pivot.
 /// An arrow is as long as the body (sizeOf) for a force equal to the weight on Earth, a couple
 /// equal to the weight on half a body's size, and the angular momentum of half a turn a second
 /// about the axis of the greatest moment. Length goes with the square root of the magnitude, from a

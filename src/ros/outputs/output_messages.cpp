@@ -32,6 +32,14 @@ geometry_msgs::AccelStamped Outputs::toAcceleration(std::size_t body, const Body
   return message;
 }
 
+geometry_msgs::WrenchStamped Outputs::toPivotForce(std::size_t body, const BodyMotion& motion,
+                                                   const ros::Time& stamp) const {
+  geometry_msgs::WrenchStamped message =
+      rigid_body_sim::toPivotForce(simulation_->world().bodies[body], motion, stamp);
+  message.header.frame_id = frames_.of(body);
+  return message;
+}
+
 geometry_msgs::WrenchStamped Outputs::toWrench(std::size_t body, const Snapshot& snapshot,
                                                const ros::Time& stamp) const {
   geometry_msgs::WrenchStamped message = toWrenchStamped(
@@ -46,6 +54,25 @@ sensor_msgs::JointState Outputs::toActuators(std::size_t body, const Snapshot& s
       toJointState(snapshot.world().bodies[body], snapshot.actuators(body), stamp);
   message.header.frame_id = frames_.of(body);
   return message;
+}
+
+/// All at once: bodies that act on one another share the work.
+void Outputs::publishMotions(const Snapshot& snapshot, const ros::Time& stamp) {
+  std::vector<const BodyTopics*> asked;
+  std::vector<std::size_t> bodies;
+  for (const BodyTopics& topics : topics_.bodies) {
+    if (!topics.acceleration.subscribers() && !topics.pivot_force.hasSubscribers()) continue;
+    asked.push_back(&topics);
+    bodies.push_back(topics.body);
+  }
+  if (asked.empty()) return;
+  const std::vector<BodyMotion> motions = snapshot.motions(bodies);
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (asked[k]->acceleration.subscribers())
+      asked[k]->acceleration.publish(toAcceleration(bodies[k], motions[k], stamp), stamp);
+    if (asked[k]->pivot_force.hasSubscribers())
+      asked[k]->pivot_force.publish(toPivotForce(bodies[k], motions[k], stamp), stamp);
+  }
 }
 
 }  // namespace rigid_body_sim

@@ -36,7 +36,8 @@ struct BodyTopics {
   Topic<nav_msgs::Odometry> odometry;
   Topic<geometry_msgs::AccelStamped> acceleration;
   Topic<geometry_msgs::WrenchStamped> applied_wrench;
-  Topic<sensor_msgs::JointState> actuators;  ///< empty functions unless the body has some
+  Topic<sensor_msgs::JointState> actuators;         ///< empty functions unless the body has some
+  Topic<geometry_msgs::WrenchStamped> pivot_force;  ///< empty functions unless it is on a pivot
   std::vector<ImuTopics> imus;
 };
 
@@ -70,6 +71,9 @@ void openMotionTopics(Transport& transport, const Body& body, BodyTopics& topics
   if (!body.actuators.empty())
     topics.actuators =
         transport.template open<sensor_msgs::JointState>(body.name + "/actuators", false);
+  if (body.pivoted)
+    topics.pivot_force =
+        transport.template open<geometry_msgs::WrenchStamped>(body.name + "/pivot_force", false);
 }
 
 /// The topics of a body of the world, by the names that roscpp resolves; Transport as above.

@@ -142,6 +142,10 @@ void Outputs::greet(const BodyTopics& topics) {
   topics.applied_wrench.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
     return toWrench(body, snapshot, stamp);
   }));
+  if (topics.pivot_force.greetWith)
+    topics.pivot_force.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
+      return toPivotForce(body, snapshot.motions({body})[0], stamp);
+    }));
   if (!topics.actuators.greetWith) return;
   topics.actuators.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
     return toActuators(body, snapshot, stamp);
@@ -256,7 +260,8 @@ bool Outputs::anySubscribers() const {
   return topics_.states.subscribers() > 0 || contacts_.hasSubscribers() ||
          std::any_of(topics_.bodies.begin(), topics_.bodies.end(), [](const BodyTopics& topics) {
            return topics.odometry.subscribers() > 0 || topics.acceleration.subscribers() > 0 ||
-                  topics.applied_wrench.subscribers() > 0 || topics.actuators.hasSubscribers();
+                  topics.applied_wrench.subscribers() > 0 || topics.actuators.hasSubscribers() ||
+                  topics.pivot_force.hasSubscribers();
          });
 }
 
@@ -274,22 +279,7 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
     if (topics.actuators.hasSubscribers())
       topics.actuators.publish(toActuators(topics.body, snapshot, stamp), stamp);
   }
-  publishAccelerations(snapshot, stamp);
-}
-
-/// All at once: bodies that act on one another share the work.
-void Outputs::publishAccelerations(const Snapshot& snapshot, const ros::Time& stamp) {
-  std::vector<const BodyTopics*> asked;
-  std::vector<std::size_t> bodies;
-  for (const BodyTopics& topics : topics_.bodies) {
-    if (!topics.acceleration.subscribers()) continue;
-    asked.push_back(&topics);
-    bodies.push_back(topics.body);
-  }
-  if (asked.empty()) return;
-  const std::vector<BodyMotion> motions = snapshot.motions(bodies);
-  for (std::size_t k = 0; k < asked.size(); ++k)
-    asked[k]->acceleration.publish(toAcceleration(bodies[k], motions[k], stamp), stamp);
+  publishMotions(snapshot, stamp);
 }
 
 void Outputs::setStates(const Snapshot& snapshot, const ros::Time& stamp) {

@@ -23,12 +23,12 @@
 namespace rigid_body_sim {
 
 /// What a run publishes, on ROS or into a bag: moving bodies on /tf, <body>/odom, <body>/accel,
-/// <body>/applied_wrench and <body>/actuators, all bodies on ~states, what touches on ~contacts, at
-/// the instants k / publish_rate of simulation time, /clock at k / clock_rate, each IMU at k / rate
-/// of its own, whether a step ends there or not; once, latched: fixed bodies, named points and IMUs
-/// on /tf_static, and ~markers. Without
-/// subscribers nothing is computed. Stamps strictly increase while time runs. While it stands,
-/// whoever comes is sent the standing state.
+/// <body>/applied_wrench, <body>/pivot_force and <body>/actuators, all bodies on ~states, what
+/// touches on ~contacts, at the instants k / publish_rate of simulation time, /clock at k /
+/// clock_rate, each IMU at k / rate of its own, whether a step ends there or not; once, latched:
+/// fixed bodies, named points and IMUs on /tf_static, and ~markers. Without subscribers nothing is
+/// computed. Stamps strictly increase while time runs. While it stands, whoever comes is sent the
+/// standing state.
 class Outputs {
  public:
   /// The simulation, that of the scene, and the origin are watched, not copied.
@@ -96,13 +96,15 @@ class Outputs {
   void publishState(double t, bool with_markers);
   void publishClock(double t);
   void publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp);
-  void publishAccelerations(const Snapshot& snapshot, const ros::Time& stamp);
+  void publishMotions(const Snapshot& snapshot, const ros::Time& stamp);
   void setStates(const Snapshot& snapshot, const ros::Time& stamp);
   bool anySubscribers() const;
   Snapshot shown() const { return Snapshot(*simulation_, shownTime()); }
   tf2_msgs::TFMessage toTransforms(const Snapshot& snapshot, const ros::Time& stamp) const;
   nav_msgs::Odometry toOdometry(std::size_t body, const Snapshot& snapshot,
                                 const ros::Time& stamp) const;
+  geometry_msgs::WrenchStamped toPivotForce(std::size_t body, const BodyMotion& motion,
+                                            const ros::Time& stamp) const;
   geometry_msgs::AccelStamped toAcceleration(std::size_t body, const BodyMotion& motion,
                                              const ros::Time& stamp) const;
   geometry_msgs::WrenchStamped toWrench(std::size_t body, const Snapshot& snapshot,

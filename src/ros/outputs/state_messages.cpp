@@ -38,7 +38,8 @@ BodyStates toBodyStates(const World& world, const State& state, const std::strin
 geometry_msgs::WrenchStamped toWrenchStamped(const Body& body, const BodyState& state,
                                              const Wrench& wrench, const ros::Time& stamp) {
   const Vector3d f_P = rotateBack(state.q_WP, wrench.f_W);
-  const Vector3d tau_P = rotateBack(state.q_WP, wrench.tau_W) + wrench.tau_P;
+  Vector3d tau_P = rotateBack(state.q_WP, wrench.tau_W) + wrench.tau_P;
+  if (body.pivoted) tau_P -= body.com_P.cross(f_P);  // from the pivot to the centre of mass
   geometry_msgs::WrenchStamped message;
   message.header.stamp = stamp;
   message.header.frame_id = body.name;
@@ -56,6 +57,16 @@ geometry_msgs::AccelStamped toAccelStamped(const Body& body, const BodyMotion& m
   message.header.frame_id = body.name;
   message.accel.linear = toVector3(rotate(body.q_BP, a_P));
   message.accel.angular = toVector3(rotate(body.q_BP, motion.acceleration.w_dot_P));
+  return message;
+}
+
+geometry_msgs::WrenchStamped toPivotForce(const Body& body, const BodyMotion& motion,
+                                          const ros::Time& stamp) {
+  const Vector3d f_P = rotateBack(motion.state.q_WP, pivotForceOf(body, motion));
+  geometry_msgs::WrenchStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = body.name;
+  message.wrench.force = toVector3(rotate(body.q_BP, f_P));
   return message;
 }
 

@@ -40,6 +40,11 @@ geometry_msgs::WrenchStamped toWrenchStamped(const Body& body, const BodyState& 
 geometry_msgs::AccelStamped toAccelStamped(const Body& body, const BodyMotion& motion,
                                            const ros::Time& stamp);
 
+/// The force of its pivot on a body in body axes, at the pivot; see pivotForceOf. The torque is
+/// zero.
+geometry_msgs::WrenchStamped toPivotForce(const Body& body, const BodyMotion& motion,
+                                          const ros::Time& stamp);
+
 /// What the actuators of a body do, in the order of Body::actuators. Velocity: speed of a rotor or
 /// wheel relative to the body, 0 of a thruster. Effort: force of a thruster or rotor, torque of a
 /// wheel's motor on the wheel. No positions.
