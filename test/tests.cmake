@@ -70,6 +70,7 @@ set(program_definitions
   RIGID_BODY_SIM_MASS_PROPERTIES="$<TARGET_FILE:rigid_body_sim_mass_properties>"
   RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_sim_rigid_body_node>"
   RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:rigid_body_sim_simulate>"
+  RIGID_BODY_SIM_SWEEP="$<TARGET_FILE:rigid_body_sim_sweep>"
   RIGID_BODY_SIM_TRADE="$<TARGET_FILE:rigid_body_sim_trade>")
 
 rigid_body_sim_gtest(tools
@@ -81,6 +82,10 @@ add_dependencies(rigid_body_sim_test_tools ${programs})
 rigid_body_sim_gtest(trade FOLDERS tools/trade LIBRARIES rigid_body_sim_tools)
 target_compile_definitions(rigid_body_sim_test_trade PRIVATE ${program_definitions})
 add_dependencies(rigid_body_sim_test_trade rigid_body_sim_trade)
+
+rigid_body_sim_gtest(sweep FOLDERS scene/study tools/sweep LIBRARIES rigid_body_sim_tools)
+target_compile_definitions(rigid_body_sim_test_sweep PRIVATE ${program_definitions})
+add_dependencies(rigid_body_sim_test_sweep rigid_body_sim_sweep rigid_body_sim_simulate)
 
 # Boost and GSL are other people's elliptic functions to compare with; nothing else needs them.
 find_package(GSL REQUIRED)

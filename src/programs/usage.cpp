@@ -78,7 +78,7 @@ std::optional<std::vector<std::string>> readCommandLine(int argc, char** argv,
                                                    : std::string(argv[optind - 1])));
     actions.at(known[static_cast<std::size_t>(index)].name)(optarg);
   }
-  if (optind + count != argc)
+  if (count == kAtLeastOne ? optind == argc : optind + count != argc)
     throw UsageError(files + " needed, got " + std::to_string(argc - optind));
   return std::vector<std::string>(argv + optind, argv + argc);
 }

@@ -38,6 +38,9 @@ OptionActions::value_type numberInto(std::optional<double>& kept, const std::str
 /// What an option without a value sets to true, by the option's name without its dashes.
 using Flags = std::map<std::string, bool*>;
 
+/// A number of files that stands for one or more.
+constexpr int kAtLeastOne = -1;
+
 /// Reads a command line of the given options and `count` files, which it returns; nothing where
 /// --help is asked for. files: for the message, such as "exactly one file is". Throws UsageError.
 std::optional<std::vector<std::string>> readCommandLine(int argc, char** argv,

@@ -23,6 +23,9 @@ constexpr std::size_t kMaxForces = 200000;
 constexpr std::size_t kMaxCollisionShapes = 10000;  ///< of a body
 constexpr double kMaxSteps = 9007199254740992;  ///< 2⁵³: no double counts on by ones from there
 
+constexpr std::size_t kMaxVariedPaths = 1000;  ///< of a study
+constexpr std::size_t kMaxRecords = 1000;      ///< likewise
+
 constexpr std::size_t kMaxUrdfBytes = 16 << 20;
 constexpr std::size_t kMaxLinks = 10000;          ///< of a URDF file
 constexpr std::size_t kMaxMeshBytes = 256 << 20;  ///< of STL and OBJ

@@ -1,6 +1,7 @@
 #include "scene/message_text.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -51,6 +52,19 @@ std::string nameList(const std::vector<std::string>& names) {
     list += names[i];
   }
   return list;
+}
+
+std::string nearestOf(const std::string& text, const std::vector<std::string>& names) {
+  constexpr std::size_t kMaxNames = 10000;  // a message is no reason to wait
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  std::string nearest;
+  for (std::size_t i = 0; i < names.size() && i < kMaxNames; ++i) {
+    const std::size_t edits = editDistance(text, names[i]);
+    if (edits >= least) continue;
+    least = edits;
+    nearest = names[i];
+  }
+  return nearest;
 }
 
 std::string didYouMean(const std::string& text, const std::vector<std::string>& names) {

@@ -21,6 +21,9 @@ std::string listed(const Vector3d& v);
 /// little; else empty.
 std::string didYouMean(const std::string& text, const std::vector<std::string>& names);
 
+/// The name that differs least from the text, however much; "" of none.
+std::string nearestOf(const std::string& text, const std::vector<std::string>& names);
+
 /// "a, b, c"; cut short after the first ten.
 std::string nameList(const std::vector<std::string>& names);
 

@@ -42,6 +42,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, Help,
                                                    RIGID_BODY_SIM_MASS_PROPERTIES},
                                            Program{"rigid_body_node", RIGID_BODY_SIM_NODE},
                                            Program{"simulate", RIGID_BODY_SIM_SIMULATE},
+                                           Program{"sweep", RIGID_BODY_SIM_SWEEP},
                                            Program{"trade", RIGID_BODY_SIM_TRADE}),
                          [](const ::testing::TestParamInfo<Program>& program) {
                            return std::string(program.param.name);

@@ -56,6 +56,7 @@ std::size_t actuatorNamed(const std::string& name, const Body& body) {
 }
 
 std::vector<ActuatorCommand> commandsOf(const Scene& scene, const std::vector<Body>& bodies) {
+  if (scene.commands.empty()) return {};
   std::unordered_map<std::string, std::size_t> index_of;
   for (std::size_t i = 0; i < bodies.size(); ++i) index_of.emplace(bodies[i].name, i);
   std::vector<ActuatorCommand> commands;

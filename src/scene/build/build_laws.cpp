@@ -1,5 +1,6 @@
 #include "scene/build/build_laws.hpp"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -102,6 +103,9 @@ class LawBuilder {
 }  // namespace
 
 ForceLaws lawsOf(const Scene& scene, const std::vector<Body>& bodies) {
+  const bool drags = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                 [](const BodyDef& body) { return body.drag.any(); });
+  if (scene.forces.empty() && !drags) return {};
   return LawBuilder(scene, bodies).build();
 }
 

@@ -15,6 +15,7 @@ std::string vectorFault(const char* name, const Vector3d& v) {
 }
 
 std::string timeFault(const WrenchDef& wrench) {
+  if (std::isfinite(wrench.start) && wrench.start + wrench.duration > wrench.start) return "";
   std::ostringstream fault;
   if (!std::isfinite(wrench.start))
     fault << "start must be a finite number of s, got " << wrench.start;

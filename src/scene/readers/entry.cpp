@@ -28,14 +28,17 @@ Entry Entry::child(const YamlNode& node) const& {
   return entry;
 }
 
+Entry Entry::item(std::size_t number) const& {
+  Entry entry = child(node_->children[number]);
+  entry.item_ = number;
+  return entry;
+}
+
 std::vector<Entry> Entry::items(const std::string& rule) const& {
   if (node_->kind != YamlNode::Kind::kList) failRule(rule);
   std::vector<Entry> entries;
   entries.reserve(node_->children.size());
-  for (const YamlNode& item : node_->children) {
-    entries.push_back(child(item));
-    entries.back().item_ = entries.size() - 1;
-  }
+  for (std::size_t i = 0; i < node_->children.size(); ++i) entries.push_back(item(i));
   return entries;
 }
 

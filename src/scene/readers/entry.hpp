@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,10 @@ class Entry {
 
   Entry child(const YamlNode& node) const&;
   Entry child(const YamlNode& node) const&& = delete;
+
+  /// An item of a list that has it.
+  Entry item(std::size_t number) const&;
+  Entry item(std::size_t number) const&& = delete;
 
   /// The items of a list; refuses anything else. `rule` says what the list must be.
   std::vector<Entry> items(const std::string& rule) const&;
@@ -120,6 +125,8 @@ std::string frameNameRule();
 
 /// The nearest double; finite. `unit` is for the message; empty: a pure number.
 double readNumber(const Entry& value, const std::string& unit);
+/// 0 to 2^64 - 1
+std::uint64_t readWhole(const Entry& value);
 /// ±.inf included
 double readBound(const Entry& value, const std::string& unit);
 double readPositive(const Entry& value, const std::string& unit);

@@ -12,6 +12,7 @@
 #include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/readers/fingerprint.hpp"
+#include "scene/readers/read_scene.hpp"
 #include "scene/readers/readers.hpp"
 #include "scene/readers/suspicious.hpp"
 
@@ -99,8 +100,9 @@ bool namesContact(const YamlNode& scene) {
   return forces && std::any_of(forces->children.begin(), forces->children.end(), isContact);
 }
 
-/// The scene in a text; context: as for the whole file.
-Scene readScene(const std::string& yaml_text, ReadContext context) {
+}  // namespace
+
+Scene readScene(const YamlNode& tree, ReadContext& context) {
   static const std::vector<Key<Scene>> keys = {
       {"world_frame", [](const Entry& e, Scene& s) { s.world_frame = readWorldFrame(e); }},
       {"gravity", [](const Entry& e, Scene& s) { s.gravity = readVector3(e, "m/s^2"); }},
@@ -122,32 +124,29 @@ Scene readScene(const std::string& yaml_text, ReadContext context) {
       {"wrenches", [](const Entry& e, Scene& s) { s.wrenches = readWrenches(e); }},
       {"commands", [](const Entry& e, Scene& s) { s.commands = readCommands(e); }},
   };
-  const YamlDocument document = parseYaml(yaml_text, context.source);
-  const Entry root(context, document.root);
+  const Entry root(context, tree);
   // bodies may name it, and stand before it
-  if (const YamlNode* node = document.root.find("world_frame"))
+  if (const YamlNode* node = tree.find("world_frame"))
     context.world_frame = readWorldFrame(root.child(*node));
-  context.has_contact = namesContact(document.root);
+  context.has_contact = namesContact(tree);
   Scene scene;
   scene.source = context.source;
   readMapping(root, keys, scene);
   refuseIdleTolerance(root, scene);
   refuseUncountableSteps(root, scene);
-  scene.fingerprint = fingerprintOf(document.root);
+  scene.fingerprint = fingerprintOf(tree);
   scene.notices = std::move(context.notices);
   for (std::string& notice : suspicions(context)) scene.notices.push_back(std::move(notice));
   checkScene(scene);
   return scene;
 }
 
-}  // namespace
-
 Scene parseScene(const std::string& yaml_text, const std::string& source_name,
                  const PackageFinder& find_package) {
   ReadContext context;
   context.source = source_name;
   context.find_package = find_package;
-  return readScene(yaml_text, std::move(context));
+  return readScene(parseYaml(yaml_text, source_name).root, context);
 }
 
 Scene loadScene(const std::string& path, const PackageFinder& find_package) {
@@ -155,7 +154,8 @@ Scene loadScene(const std::string& path, const PackageFinder& find_package) {
   context.source = path;
   context.directory = std::filesystem::path(path).parent_path();
   context.find_package = find_package;
-  return readScene(readFile(path, "scene file", kMaxSceneBytes), std::move(context));
+  const std::string text = readFile(path, "scene file", kMaxSceneBytes);
+  return readScene(parseYaml(text, path).root, context);
 }
 
 }  // namespace rigid_body_sim

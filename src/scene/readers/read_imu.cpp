@@ -1,21 +1,8 @@
-#include <charconv>
-
 #include "scene/limits.hpp"
 #include "scene/readers/readers.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-std::uint64_t readSeed(const Entry& value) {
-  const std::string_view text = value.node().text;
-  const char* const end = text.data() + text.size();
-  std::uint64_t seed = 0;
-  const auto [rest, error] = std::from_chars(text.data(), end, seed);
-  const bool plain = value.node().kind == YamlNode::Kind::kScalar && !value.node().quoted;
-  if (!plain || text.empty() || rest != end || error != std::errc())
-    value.failRule("must be a whole number from 0 to 2^64 - 1");
-  return seed;
-}
 
 struct GyroscopeUnits {
   static constexpr const char* kDensity = "rad/s/sqrt(Hz)";
@@ -54,7 +41,7 @@ ImuDef readOne(const Entry& entry) {
       {"position", [](const Entry& e, Imu& i) { i.position_B = readVector3(e, "m"); }},
       {"orientation", [](const Entry& e, Imu& i) { i.q_BS = readOrientation(e); }},
       {"rate", [](const Entry& e, Imu& i) { i.rate = readImuRate(e); }, true},
-      {"seed", [](const Entry& e, Imu& i) { i.seed = readSeed(e); }},
+      {"seed", [](const Entry& e, Imu& i) { i.seed = readWhole(e); }},
       {"gyroscope", [](const Entry& e, Imu& i) { i.gyroscope = readSensor<GyroscopeUnits>(e); }},
       {"accelerometer",
        [](const Entry& e, Imu& i) { i.accelerometer = readSensor<AccelerometerUnits>(e); }},

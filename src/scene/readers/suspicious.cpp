@@ -22,17 +22,20 @@ bool looksLikeWFirst(const Quaterniond& q) { return q.x() * q.x() > 0.51; }
 }  // namespace
 
 void noteSuspicious(const Entry& entry, const BodyDef& body) {
+  const YamlNode* orientation = entry.node().find("orientation");
+  const bool is_quaternion = orientation && orientation->kind == YamlNode::Kind::kList;
+  const bool is_fast = isFast(body.twist.angular);
+  const bool is_flipped = is_quaternion && looksLikeWFirst(body.orientation);
+  if (!is_fast && !is_flipped) return;
   std::ostringstream text;
   text.precision(3);
-  if (isFast(body.twist.angular)) {
+  if (is_fast) {
     text << "twist.angular is " << body.twist.angular.norm() / (2 * kPi)
          << " turns/s; its unit is rad/s";
     const Entry twist = entry.child(*entry.node().find("twist"));
     note(twist.located(text.str()), entry.context().fast_spin);
   }
-  const YamlNode* orientation = entry.node().find("orientation");
-  const bool is_quaternion = orientation && orientation->kind == YamlNode::Kind::kList;
-  if (is_quaternion && looksLikeWFirst(body.orientation)) {
+  if (is_flipped) {
     const double z = (body.orientation * Vector3d::UnitZ()).z();
     const double tilt = std::acos(std::clamp(z, -1.0, 1.0));
     text.str("");

@@ -1,3 +1,4 @@
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -142,6 +143,17 @@ double readNumber(const Entry& value, const std::string& unit) {
   return *number;
 }
 
+std::uint64_t readWhole(const Entry& value) {
+  const std::string_view text = value.node().text;
+  const char* const end = text.data() + text.size();
+  std::uint64_t number = 0;
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  const bool plain = value.node().kind == YamlNode::Kind::kScalar && !value.node().quoted;
+  if (!plain || text.empty() || rest != end || error != std::errc())
+    value.failRule("must be a whole number from 0 to 2^64 - 1");
+  return number;
+}
+
 double readBound(const Entry& value, const std::string& unit) {
   const std::optional<double> number = numberIn(value.node());
   if (!number || std::isnan(*number))
@@ -169,12 +181,12 @@ double readDuration(const Entry& value) {
 }
 
 std::vector<double> readNumbers(const Entry& value, std::size_t count, const std::string& unit) {
-  const std::string rule = "must be a list of " + std::to_string(count) + " numbers";
-  const std::vector<Entry> items = value.items(rule + bracketed(unit));
-  if (items.size() != count) value.failRule(rule + bracketed(unit));
+  // the rule is put together only when it is broken: a sweep reads values a million times
+  if (value.node().kind != YamlNode::Kind::kList || value.node().children.size() != count)
+    value.failRule("must be a list of " + std::to_string(count) + " numbers" + bracketed(unit));
   std::vector<double> numbers;
   numbers.reserve(count);
-  for (const Entry& item : items) numbers.push_back(readNumber(item, unit));
+  for (std::size_t i = 0; i < count; ++i) numbers.push_back(readNumber(value.item(i), unit));
   return numbers;
 }
 

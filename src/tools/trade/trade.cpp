@@ -14,6 +14,7 @@
 #include "programs/standard_streams.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
+#include "tools/common/gnuplot.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/trade/trade_contact.hpp"
 #include "tools/trade/trade_ladder.hpp"

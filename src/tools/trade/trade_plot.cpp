@@ -1,12 +1,10 @@
 #include "tools/trade/trade_plot.hpp"
 
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 
 #include "scene/message_text.hpp"
+#include "tools/common/gnuplot.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -30,14 +28,6 @@ std::vector<std::string> namesOf(const std::vector<Setting>& settings) {
   return names;
 }
 
-/// As gnuplot reads a text of one line word for word: in double quotes it would run what stands in
-/// backquotes.
-std::string quoted(const std::string& text) {
-  std::string doubled;
-  for (char c : text) doubled += c == '\'' ? "''" : std::string(1, c);
-  return "'" + doubled + "'";
-}
-
 std::string scriptOf(const Trade& trade, const std::string& svg_path) {
   std::ostringstream script;
   const std::vector<std::string> names = namesOf(trade.settings);
@@ -52,8 +42,8 @@ std::string scriptOf(const Trade& trade, const std::string& svg_path) {
       script);
   const std::string scene = std::filesystem::path(trade.scene).filename().string();
   script << "set terminal svg size 900,600 noenhanced font 'sans,14' background 'white'\n"
-         << "set output " << quoted(svg_path) << "\n"
-         << "set title " << quoted("What accuracy costs: " + oneLine(scene)) << "\n"
+         << "set output " << gnuplotText(svg_path) << "\n"
+         << "set title " << gnuplotText("What accuracy costs: " + oneLine(scene)) << "\n"
          << "set xlabel 'processor time per simulated second [us]'\n"
          << "set ylabel 'worst error: attitude [rad] or position / path'\n"
          << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\n"
@@ -62,7 +52,7 @@ std::string scriptOf(const Trade& trade, const std::string& svg_path) {
          << "plot $front with lines lw 9 lc rgb '#d8d8d8' title 'Pareto front', \\\n";
   for (std::size_t i = 0; i < names.size(); ++i)
     script << "  $integrator" << i << " with linespoints lw 1.5 ps 0.6 pt 7 lt " << i + 1
-           << " title " << quoted(names[i]) << ", \\\n";
+           << " title " << gnuplotText(names[i]) << ", \\\n";
   script << "  " << trade.error_budget
          << " with lines dt 2 lc rgb 'black' title 'error budget', \\\n"
          << "  $present with points pt 6 ps 2.5 lw 3 lc rgb 'black' title 'the scene now'\n";
@@ -71,14 +61,8 @@ std::string scriptOf(const Trade& trade, const std::string& svg_path) {
 
 }  // namespace
 
-bool hasGnuplot() { return std::system("command -v gnuplot >/dev/null 2>&1") == 0; }
-
 void plotTrade(const Trade& trade, const std::string& svg_path) {
-  const std::string script = scriptOf(trade, svg_path);
-  std::FILE* gnuplot = popen("gnuplot", "w");
-  if (!gnuplot) throw std::runtime_error("gnuplot cannot be started");
-  std::fputs(script.c_str(), gnuplot);
-  if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot could not draw " + svg_path);
+  runGnuplot(scriptOf(trade, svg_path), svg_path);
 }
 
 }  // namespace rigid_body_sim

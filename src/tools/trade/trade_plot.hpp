@@ -6,9 +6,6 @@
 
 namespace rigid_body_sim {
 
-/// Whether the program that draws is installed.
-bool hasGnuplot();
-
 /// Draws error against cost, log-log, a line per integrator, with the Pareto front, the error
 /// budget, and the scene's present setting. Throws std::runtime_error where gnuplot fails.
 void plotTrade(const Trade& trade, const std::string& svg_path);

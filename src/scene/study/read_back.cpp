@@ -1,0 +1,107 @@
+#include "scene/study/read_back.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/study/number_text.hpp"
+#include "scene/study/scene_path.hpp"
+
+namespace rigid_body_sim {
+
+ReadBack::ReadBack(const std::string& path, std::size_t body) : body_(body) {
+  std::vector<PathStep> steps = stepsOf(path);
+  if (steps.back().item) {
+    item_ = steps.back().item;
+    steps.pop_back();
+  }
+  if (steps.size() == 3 && steps[0].name == "wrenches") wrench_ = steps[1].item;
+  const std::size_t first = body != VariedScene::kNoBody ? 2 : wrench_ ? 2 : 0;
+  for (std::size_t i = first; i < steps.size(); ++i)
+    whole_ +=
+        (i > first ? "." : "") + (steps[i].item ? std::to_string(*steps[i].item) : steps[i].name);
+}
+
+std::optional<double> ReadBack::solverNumber(const World& world) const {
+  if (body_ != VariedScene::kNoBody || item_) return std::nullopt;
+  if (wrench_) {
+    const PointWrench& wrench = world.wrenches[*wrench_];
+    if (whole_ == "start") return wrench.start;
+    if (whole_ == "duration") return wrench.end - wrench.start;
+    return std::nullopt;
+  }
+  if (whole_ == "tolerance") return world.solver.tolerance;
+  if (whole_ == "time_step") return world.solver.time_step;
+  if (whole_ == "horizon") return world.solver.horizon;
+  return std::nullopt;
+}
+
+std::optional<double> ReadBack::bodyNumber(const World& world) const {
+  if (body_ == VariedScene::kNoBody || item_) return std::nullopt;
+  const Body& body = world.bodies[body_];
+  if (whole_ == "mass") return body.mass;
+  static const std::vector<std::pair<std::string, std::pair<int, int>>> moments = {
+      {"inertia.ixx", {0, 0}}, {"inertia.iyy", {1, 1}}, {"inertia.izz", {2, 2}},
+      {"inertia.ixy", {0, 1}}, {"inertia.ixz", {0, 2}}, {"inertia.iyz", {1, 2}}};
+  for (const auto& [key, at] : moments) {
+    if (whole_ != key || !body.actuators.empty()) continue;
+    const Matrix3d R = body.X_BP.linear();
+    const Matrix3d inertia = R * body.I.asDiagonal() * R.transpose();
+    return inertia(at.first, at.second);
+  }
+  return std::nullopt;
+}
+
+std::optional<Vector3d> ReadBack::vector(const Scene& scene, const World& world,
+                                         const State& initial) const {
+  if (whole_ == "gravity" && !wrench_) return world.g_W;
+  if (body_ == VariedScene::kNoBody) return std::nullopt;
+  const Body& body = world.bodies[body_];
+  if (whole_ == "center_of_mass") return Vector3d(body.X_BP.translation());
+  const bool angular = whole_ == "twist.angular";
+  if (whole_ != "position" && !angular && whole_ != "twist.linear") return std::nullopt;
+  const BodyFrameMotion motion = toBodyFrameMotion(body, initial.bodies[body_]);
+  if (whole_ == "position") return motion.x_W;
+  const Vector3d v_W = angular ? motion.w_W : motion.v_W;
+  if (!scene.bodies[body_].twist.in_body_axes) return v_W;
+  return Vector3d(motion.q_WB.conjugate() * v_W);
+}
+
+std::optional<std::vector<double>> ReadBack::numbers(const Scene& scene, const World& world,
+                                                     const State& initial) const {
+  if (const std::optional<double> number = solverNumber(world)) return std::vector{*number};
+  if (const std::optional<double> number = bodyNumber(world)) return std::vector{*number};
+  std::vector<double> all;
+  if (whole_ == "orientation" && body_ != VariedScene::kNoBody) {
+    const Quaterniond q = toBodyFrameMotion(world.bodies[body_], initial.bodies[body_]).q_WB;
+    all = {q.x(), q.y(), q.z(), q.w()};
+  } else if (const std::optional<Vector3d> v = vector(scene, world, initial)) {
+    all = {v->x(), v->y(), v->z()};
+  } else {
+    return std::nullopt;
+  }
+  if (!item_) return all;
+  return std::vector{all[*item_]};
+}
+
+SceneValue asReadBack(const SceneValue& given, const std::optional<std::vector<double>>& world) {
+  constexpr double kRounding = 1e-9;
+  if (!world || world->size() != given.words.size()) return given;
+  double scale = 0, same = 0, opposite = 0;
+  for (std::size_t i = 0; i < world->size(); ++i) {
+    const std::string& text = given.words[i].text;
+    double x = 0;
+    if (!readNumberText(text.data(), text.data() + text.size(), x)) return given;
+    scale = std::max(scale, std::abs(x));
+    same = std::max(same, std::abs((*world)[i] - x));
+    opposite = std::max(opposite, std::abs((*world)[i] + x));
+  }
+  // q and −q are one attitude
+  if (world->size() == 4) same = std::min(same, opposite);
+  if (!(same > kRounding * scale)) return given;
+  SceneValue read;
+  read.is_list = given.is_list;
+  for (double x : *world) read.words.push_back({numberText(x)});
+  return read;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,160 @@
+#include <algorithm>
+
+#include <rigid_body_sim/scene/scene_error.hpp>
+
+#include "scene/files/read_file.hpp"
+#include "scene/limits.hpp"
+#include "scene/readers/entry.hpp"
+#include "scene/study/read_record.hpp"
+#include "scene/study/study.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+SceneValue readValue(const Entry& value) {
+  using Kind = YamlNode::Kind;
+  SceneValue read;
+  const auto add = [&](const Entry& entry) {
+    if (entry.node().kind != Kind::kScalar)
+      entry.failRule("must be a number, a word or a list of these");
+    read.words.push_back({std::string(entry.node().text), entry.node().quoted});
+  };
+  read.is_list = value.node().kind == Kind::kList;
+  if (!read.is_list) {
+    add(value);
+    return read;
+  }
+  for (const Entry& item : value.items("")) add(item);
+  if (read.words.empty()) value.failRule("must not be empty");
+  return read;
+}
+
+/// At least one value, all of one shape, so that each has its columns.
+std::vector<SceneValue> readValues(const Entry& value) {
+  const std::string rule = "must be a list of at least one value";
+  std::vector<SceneValue> values;
+  for (const Entry& item : value.items(rule)) {
+    values.push_back(readValue(item));
+    const SceneValue &first = values.front(), &last = values.back();
+    if (last.is_list != first.is_list || last.words.size() != first.words.size())
+      item.failRule("must have as many numbers as the values before it");
+  }
+  if (values.empty()) value.failRule(rule);
+  return values;
+}
+
+NormalDistribution readNormal(const Entry& entry) {
+  using Def = NormalDistribution;
+  static const std::vector<Key<Def>> keys = {
+      {"mean", [](const Entry& e, Def& d) { d.mean = readNumber(e, ""); }, true},
+      {"stddev", [](const Entry& e, Def& d) { d.stddev = readPositive(e, ""); }, true},
+  };
+  Def normal;
+  readMapping(entry, keys, normal);
+  return normal;
+}
+
+UniformDistribution readUniform(const Entry& entry) {
+  const std::vector<double> ends = readNumbers(entry, 2, "");
+  if (!(ends[0] < ends[1])) entry.failRule("must be [low, high] with low < high");
+  return {ends[0], ends[1]};
+}
+
+RotationDistribution readRotation(const Entry& entry) {
+  using Def = RotationDistribution;
+  static const std::vector<Key<Def>> keys = {
+      {"stddev", [](const Entry& e, Def& d) { d.stddev = readPositive(e, "rad"); }},
+  };
+  Def rotation;
+  readMapping(entry, keys, rotation);
+  return rotation;
+}
+
+Distribution readDistribution(const Entry& entry) {
+  using Def = std::vector<Distribution>;
+  static const std::vector<Key<Def>> keys = {
+      {"normal", [](const Entry& e, Def& d) { d.emplace_back(readNormal(e)); }},
+      {"uniform", [](const Entry& e, Def& d) { d.emplace_back(readUniform(e)); }},
+      {"list", [](const Entry& e, Def& d) { d.emplace_back(ListDistribution{readValues(e)}); }},
+      {"grid", [](const Entry& e, Def& d) { d.emplace_back(GridDistribution{readValues(e)}); }},
+      {"rotation", [](const Entry& e, Def& d) { d.emplace_back(readRotation(e)); }},
+  };
+  Def found;
+  readMapping(entry, keys, found);
+  if (found.size() != 1)
+    entry.failRule("must name one of normal, uniform, list, grid and rotation");
+  return found.front();
+}
+
+std::vector<Varied> readVary(const Entry& entry) {
+  if (entry.node().kind != YamlNode::Kind::kMapping || entry.node().children.empty())
+    entry.failRule("must be a mapping of at least one path to what its value may be");
+  entry.checkCount(kMaxVariedPaths, "paths");
+  std::vector<Varied> vary;
+  for (const YamlNode& node : entry.node().children)
+    vary.push_back({std::string(node.key), readDistribution(entry.child(node)), node.line});
+  return vary;
+}
+
+std::int64_t readRuns(const Entry& value) {
+  const double runs = readNumber(value, "");
+  if (!(runs >= 1 && runs <= static_cast<double>(kMaxSweepRuns) && runs == std::floor(runs)))
+    value.failRule("must be a whole number from 1 to " + std::to_string(kMaxSweepRuns));
+  return static_cast<std::int64_t>(runs);
+}
+
+void refuseManyRuns(const Study& study, const Entry& root) {
+  const std::int64_t cells = gridSize(study);
+  if (cells <= kMaxSweepRuns / study.runs) return;
+  root.child(*root.node().find("vary"))
+      .fail("runs times the values of the grids must be at most " + std::to_string(kMaxSweepRuns) +
+            ", got " + std::to_string(study.runs) + " times " +
+            (cells > kMaxSweepRuns ? "more than that" : std::to_string(cells)));
+}
+
+}  // namespace
+
+bool SceneValue::operator==(const SceneValue& other) const {
+  return is_list == other.is_list &&
+         std::equal(words.begin(), words.end(), other.words.begin(), other.words.end(),
+                    [](const Word& a, const Word& b) { return a.text == b.text; });
+}
+
+std::int64_t gridSize(const Study& study) {
+  std::int64_t cells = 1;
+  for (const Varied& varied : study.vary)
+    if (const auto* grid = std::get_if<GridDistribution>(&varied.distribution))
+      cells = std::min(cells * static_cast<std::int64_t>(grid->values.size()), kMaxSweepRuns + 1);
+  return cells;
+}
+
+Study parseStudy(const std::string& yaml_text, const std::string& source_name,
+                 std::optional<std::int64_t> runs, std::optional<std::uint64_t> seed) {
+  static const std::vector<Key<Study>> keys = {
+      {"runs", [](const Entry& e, Study& s) { s.runs = readRuns(e); }},
+      {"seed", [](const Entry& e, Study& s) { s.seed = readWhole(e); }},
+      {"latin_hypercube", [](const Entry& e, Study& s) { s.latin_hypercube = readBoolean(e); }},
+      {"duration", [](const Entry& e, Study& s) { s.duration = readPositive(e, "s"); }},
+      {"vary", [](const Entry& e, Study& s) { s.vary = readVary(e); }, true},
+      {"record", [](const Entry& e, Study& s) { s.record = readRecords(e); }},
+  };
+  const YamlDocument document = parseYaml(yaml_text, source_name);
+  ReadContext context;
+  context.source = source_name;
+  const Entry root(context, document.root);
+  Study study;
+  study.source = source_name;
+  readMapping(root, keys, study);
+  study.runs = runs.value_or(study.runs);
+  study.seed = seed.value_or(study.seed);
+  if (study.runs == 0) root.fail("missing key 'runs'");
+  refuseManyRuns(study, root);
+  return study;
+}
+
+Study loadStudy(const std::string& path, std::optional<std::int64_t> runs,
+                std::optional<std::uint64_t> seed) {
+  return parseStudy(readFile(path, "study file", kMaxSceneBytes), path, runs, seed);
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,194 @@
+#include "scene/study/varied_scene.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/readers/read_scene.hpp"
+#include "scene/readers/readers.hpp"
+#include "scene/study/number_text.hpp"
+#include "scene/study/scene_path.hpp"
+#include "scene/study/yaml_text.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+SceneValue valueOf(const YamlNode& node) {
+  SceneValue value;
+  value.is_list = node.kind == YamlNode::Kind::kList;
+  if (!value.is_list) {
+    value.words.push_back({std::string(node.text), node.quoted});
+    return value;
+  }
+  for (const YamlNode& item : node.children)
+    value.words.push_back({std::string(item.text), item.quoted});
+  return value;
+}
+
+/// Makes the node the value, whose texts it refers to.
+void place(const SceneValue& value, YamlNode& node) {
+  const auto setWord = [](const SceneValue::Word& word, YamlNode& at) {
+    at.kind = YamlNode::Kind::kScalar;
+    at.text = word.text;
+    at.quoted = word.quoted;
+  };
+  if (!value.is_list) {
+    node.children.clear();
+    return setWord(value.words.front(), node);
+  }
+  node.kind = YamlNode::Kind::kList;
+  node.text = {};
+  node.children.resize(value.words.size());
+  for (std::size_t i = 0; i < value.words.size(); ++i) {
+    node.children[i].line = node.line;
+    setWord(value.words[i], node.children[i]);
+  }
+}
+
+[[noreturn]] void failPath(const Study& study, const Varied& varied, const std::string& message) {
+  throw SceneError(study.source, varied.line,
+                   "vary: '" + printable(varied.path) + "' " + oneLine(message));
+}
+
+/// Keys that a scene may leave out and a study vary all the same, with what they then are.
+const std::vector<std::pair<std::string, SceneValue>>& optionalKeys() {
+  static const std::vector<std::pair<std::string, SceneValue>> keys = {
+      {"tolerance", {{{"1e-9"}}, false}},
+      {"horizon", {{{"10"}}, false}},
+      {"integrator", {{{"auto"}}, false}}};
+  return keys;
+}
+
+}  // namespace
+
+VariedScene::VariedScene(const std::string& text, ReadContext context, const Study& study)
+    : document_(parseYaml(text, context.source)), context_(std::move(context)) {
+  scene_ = readScene(document_.root, context_);
+  addDefaults(study);
+  for (const Varied& varied : study.vary) addSlot(varied, study);
+  refuseOverlaps(study);
+}
+
+/// Orientations of bodies, and keys of the scene, that are left out and varied. First of all, since
+/// nodes move.
+void VariedScene::addDefaults(const Study& study) {
+  static const SceneValue identity{{{"0"}, {"0"}, {"0"}, {"1"}}, true};
+  const auto add = [&](YamlNode& mapping, const std::string& key, const SceneValue& value) {
+    if (mapping.kind != YamlNode::Kind::kMapping || mapping.find(key)) return;
+    YamlNode& node = mapping.children.emplace_back();
+    node.key = document_.texts.add(key);
+    node.line = mapping.line;
+    place(value, node);
+  };
+  for (const Varied& varied : study.vary) {
+    for (const auto& [key, value] : optionalKeys())
+      if (varied.path == key) add(document_.root, key, value);
+    const std::vector<PathStep> steps = stepsOf(varied.path);
+    if (steps.size() != 3 || steps[0].name != "bodies" || steps[2].name != "orientation") continue;
+    YamlNode* bodies = follow(document_.root, steps[0]);
+    YamlNode* body = bodies ? follow(*bodies, steps[1]) : nullptr;
+    if (body) add(*body, "orientation", identity);
+  }
+}
+
+void VariedScene::addSlot(const Varied& varied, const Study& study) {
+  Slot slot;
+  slot.path = varied.path;
+  slot.node = nodeAt(document_.root, varied.path);
+  if (!slot.node)
+    failPath(study, varied,
+             "is not in " + context_.source + "; the nearest that is: '" +
+                 nearestOf(varied.path, pathsOf(document_.root)) + "'");
+  const bool holds_mappings =
+      slot.node->kind == YamlNode::Kind::kMapping ||
+      std::any_of(slot.node->children.begin(), slot.node->children.end(),
+                  [](const YamlNode& n) { return n.kind != YamlNode::Kind::kScalar; });
+  const bool orientation = std::holds_alternative<RotationDistribution>(varied.distribution);
+  if (holds_mappings && !orientation)
+    failPath(study, varied, "holds more than a value or a list of values; name one within it");
+  const std::vector<PathStep> steps = stepsOf(varied.path);
+  if (steps.back().name == "name") failPath(study, varied, "is a name, which cannot vary");
+  if (orientation && steps.back().name != "orientation")
+    failPath(study, varied, "must be an orientation for a rotation");
+  if (orientation) {
+    Entry root(context_, document_.root);
+    const Quaterniond q = readOrientation(root.child(*slot.node));
+    slot.own.is_list = true;
+    for (double x : {q.x(), q.y(), q.z(), q.w()}) slot.own.words.push_back({numberText(x)});
+  } else {
+    slot.own = valueOf(*slot.node);
+  }
+  slot.now = slot.own;
+  findPart(slot);
+  slots_.push_back(std::move(slot));
+}
+
+void VariedScene::refuseOverlaps(const Study& study) const {
+  const auto lies = [](const YamlNode* inner, const YamlNode& outer) {
+    return std::any_of(outer.children.begin(), outer.children.end(),
+                       [&](const YamlNode& child) { return &child == inner; });
+  };
+  for (std::size_t i = 0; i < slots_.size(); ++i)
+    for (std::size_t j = 0; j < slots_.size(); ++j)
+      if (i != j && (slots_[i].node == slots_[j].node || lies(slots_[i].node, *slots_[j].node)))
+        failPath(study, study.vary[i], "is part of '" + slots_[j].path + "', which varies, too");
+}
+
+void VariedScene::findPart(Slot& slot) {
+  static const std::vector<std::pair<std::string, Part>> lists = {{"bodies", Part::kBody},
+                                                                  {"forces", Part::kForce},
+                                                                  {"wrenches", Part::kWrench},
+                                                                  {"commands", Part::kCommand}};
+  const std::vector<PathStep> steps = stepsOf(slot.path);
+  for (const auto& [key, part] : lists) {
+    if (steps.size() < 3 || steps[0].name != key || steps.back().name == "type") continue;
+    YamlNode& list = *follow(document_.root, steps[0]);
+    slot.part = part;
+    slot.entry = static_cast<std::size_t>(follow(list, steps[1]) - list.children.data());
+  }
+}
+
+void VariedScene::set(std::size_t index, SceneValue value) {
+  Slot& slot = slots_[index];
+  if (slot.now == value) return;
+  slot.now = std::move(value);
+  place(slot.now, *slot.node);
+  slot.is_read = false;
+}
+
+const Scene& VariedScene::scene() {
+  const auto isNew = [](const Slot& slot) { return !slot.is_read; };
+  const bool whole = std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) {
+    return !slot.is_read && slot.part == Part::kWhole;
+  });
+  if (whole) {
+    scene_ = readScene(document_.root, context_);
+  } else {
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+      const auto sameEntry = [&](const Slot& s) {
+        return isNew(s) && s.part == slots_[i].part && s.entry == slots_[i].entry;
+      };
+      // the first of those of an entry reads it
+      if (isNew(slots_[i]) && std::none_of(slots_.data(), slots_.data() + i, sameEntry))
+        readEntry(slots_[i]);
+    }
+    context_.notices.clear();
+  }
+  for (Slot& slot : slots_) slot.is_read = true;
+  return scene_;
+}
+
+void VariedScene::readEntry(const Slot& slot) {
+  const Entry root(context_, document_.root);
+  const auto read = [&](const char* key, auto& entries, const auto& reader) {
+    const Entry list = root.child(*document_.root.find(key));
+    entries[slot.entry] = reader(list.item(slot.entry));
+  };
+  if (slot.part == Part::kBody) read("bodies", scene_.bodies, readBody);
+  if (slot.part == Part::kForce) read("forces", scene_.forces, readForce);
+  if (slot.part == Part::kWrench) read("wrenches", scene_.wrenches, readWrench);
+  if (slot.part == Part::kCommand) read("commands", scene_.commands, readCommand);
+}
+
+std::string VariedScene::yaml() const { return yamlText(document_.root, context_.directory); }
+
+}  // namespace rigid_body_sim

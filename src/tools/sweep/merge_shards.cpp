@@ -1,0 +1,141 @@
+#include "tools/sweep/merge_shards.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "programs/usage.hpp"
+#include "tools/sweep/run_table.hpp"
+#include "tools/sweep/shard.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ShardFiles {
+  Shard shard;
+  fs::path directory;
+
+  std::string path(const std::string& stem, const std::string& extension) const {
+    return (directory / shard.fileName(stem, extension)).string();
+  }
+};
+
+/// The shard whose table has this name, such as runs.2of4.csv; none of any other file.
+std::optional<Shard> shardOf(const std::string& name) {
+  const std::string head = "runs.", tail = ".csv";
+  const std::size_t of = name.find("of");
+  if (name.rfind(head, 0) != 0 || name.size() < head.size() + tail.size() ||
+      name.substr(name.size() - tail.size()) != tail || of == std::string::npos)
+    return std::nullopt;
+  try {
+    return parseShard(name.substr(head.size(), of - head.size()) + "/" +
+                      name.substr(of + 2, name.size() - tail.size() - of - 2));
+  } catch (const UsageError&) {
+    return std::nullopt;
+  }
+}
+
+/// By their number.
+std::map<std::int64_t, ShardFiles> shardsIn(const std::vector<std::string>& directories) {
+  std::map<std::int64_t, ShardFiles> shards;
+  for (const std::string& directory : directories) {
+    if (!fs::is_directory(directory)) throw std::runtime_error(directory + ": is no directory");
+    for (const fs::directory_entry& file : fs::directory_iterator(directory)) {
+      const std::optional<Shard> shard = shardOf(file.path().filename().string());
+      if (!shard) continue;
+      const auto [other, is_new] = shards.emplace(shard->index, ShardFiles{*shard, directory});
+      if (!is_new)
+        throw std::runtime_error(file.path().string() + ": is there twice, in " +
+                                 other->second.directory.string() + ", too");
+    }
+  }
+  // a sweep that was not divided
+  if (shards.empty() && fs::exists(fs::path(directories.front()) / "runs.csv"))
+    shards.emplace(1, ShardFiles{Shard{}, directories.front()});
+  if (shards.empty())
+    throw std::runtime_error(directories.front() +
+                             ": has no table of a shard, such as runs.1of4.csv");
+  return shards;
+}
+
+SweepInfo infoOf(const ShardFiles& files) {
+  const std::string path = files.path("runs", ".info");
+  const auto info = sweepInfoIn(textOf(path).value_or(""));
+  if (!info) throw std::runtime_error(path + ": is not there, or not of a sweep");
+  return *info;
+}
+
+/// Refuses what is no whole sweep.
+SweepInfo checked(const std::map<std::int64_t, ShardFiles>& shards) {
+  const ShardFiles& first = shards.begin()->second;
+  const SweepInfo info = infoOf(first);
+  for (std::int64_t i = 1; i <= first.shard.count; ++i) {
+    const auto found = shards.find(i);
+    const std::string name = Shard{i, first.shard.count}.fileName("runs", ".csv");
+    if (found == shards.end()) throw std::runtime_error(name + ": this shard is missing");
+    const ShardFiles& files = found->second;
+    const std::string path = files.path("runs", ".csv");
+    if (files.shard.count != first.shard.count)
+      throw std::runtime_error(path + ": is of another number of shards than " +
+                               first.path("runs", ".csv"));
+    if (toText(infoOf(files)) != toText(info))
+      throw std::runtime_error(path + ": is of another sweep than " + first.path("runs", ".csv"));
+    const std::int64_t rows = wholeRows(path), all = files.shard.runsOf(info.runs);
+    if (rows != all)
+      throw std::runtime_error(path + ": has " + std::to_string(rows) + " of " +
+                               std::to_string(all) + " rows; finish it with --resume");
+  }
+  return info;
+}
+
+/// One line of each table in turn, as long as there are any. Shards differ by one row at most.
+void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::string& stem,
+                const std::string& out) {
+  constexpr std::size_t kPiece = 1 << 20;
+  std::vector<std::ifstream> tables;
+  std::string line, header;
+  for (const auto& [index, files] : shards) {
+    tables.emplace_back(files.path(stem, ".csv"), std::ios::binary);
+    if (!std::getline(tables.back(), line))
+      throw std::runtime_error(files.path(stem, ".csv") + ": cannot be read");
+    if (index == 1) header = line;
+  }
+  RunTable merged = RunTable::create(out, header);
+  std::string rows;
+  for (bool any = true; any;) {
+    any = false;
+    for (std::ifstream& table : tables)
+      if (std::getline(table, line)) {
+        any = true;
+        rows += line + "\n";
+      }
+    if (rows.size() < kPiece && any) continue;
+    merged.append(rows);
+    rows.clear();
+  }
+}
+
+}  // namespace
+
+SweepInfo mergeShards(const std::vector<std::string>& directories, const std::string& out) {
+  const std::map<std::int64_t, ShardFiles> shards = shardsIn(directories);
+  const SweepInfo info = checked(shards);
+  fs::create_directories(out);
+  const fs::path directory = out;
+  for (const char* stem : {"runs", "fan"}) {
+    if (std::string(stem) == "fan" && info.fan.empty()) continue;
+    const fs::path table = directory / (std::string(stem) + ".csv"),
+                   part = table.string() + ".part";
+    interleave(shards, stem, part.string());
+    fs::rename(part, table);
+  }
+  writeText((directory / "runs.info").string(), toText(info));
+  return info;
+}
+
+}  // namespace rigid_body_sim

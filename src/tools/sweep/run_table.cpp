@@ -1,0 +1,104 @@
+#include "tools/sweep/run_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace rigid_body_sim {
+namespace {
+
+[[noreturn]] void failToWrite(const std::string& path) {
+  throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
+}
+
+/// The place after so many rows and the header, from the start of a file.
+std::int64_t endOfRows(const std::string& path, std::int64_t rows) {
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  for (std::int64_t i = 0; i <= rows; ++i)
+    if (!std::getline(in, line) || in.eof())
+      throw std::runtime_error(path + ": has fewer rows than a moment ago");
+  return static_cast<std::int64_t>(in.tellg());
+}
+
+}  // namespace
+
+RunTable::RunTable(std::string path, int descriptor)
+    : path_(std::move(path)), descriptor_(descriptor) {
+  if (descriptor_ < 0) failToWrite(path_);
+}
+
+RunTable::RunTable(RunTable&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+RunTable::~RunTable() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+RunTable RunTable::create(const std::string& path, const std::string& header) {
+  RunTable table(path,
+                 open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
+  table.append(header + "\n");
+  return table;
+}
+
+RunTable RunTable::reopen(const std::string& path, const std::string& header, std::int64_t rows) {
+  std::string line;
+  std::getline(std::ifstream(path), line);
+  if (line != header)
+    throw std::runtime_error(path + ": is another table; remove it, or leave --resume out");
+  const std::int64_t end = endOfRows(path, rows);
+  RunTable table(path, open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  if (ftruncate(table.descriptor_, end) != 0) failToWrite(path);
+  return table;
+}
+
+void RunTable::append(const std::string& rows) {
+  const off_t before = lseek(descriptor_, 0, SEEK_END);
+  for (std::size_t done = 0; done < rows.size();) {
+    const ssize_t n = write(descriptor_, rows.data() + done, rows.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      const int why = errno;
+      // a file that cannot be cut is no file: a device has no rows to keep whole
+      if (before >= 0 && ftruncate(descriptor_, before) != 0) errno = why;
+      errno = why;
+      failToWrite(path_);
+    }
+    done += static_cast<std::size_t>(n);
+  }
+}
+
+std::int64_t wholeRows(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::int64_t lines = 0;
+  std::array<char, 1 << 16> buffer{};
+  while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
+    lines += std::count(buffer.data(), buffer.data() + in.gcount(), '\n');
+  return std::max<std::int64_t>(0, lines - 1);
+}
+
+std::optional<std::string> textOf(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::nullopt;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void writeText(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  if (!out) failToWrite(path);
+}
+
+}  // namespace rigid_body_sim

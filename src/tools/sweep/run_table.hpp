@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace rigid_body_sim {
+
+/// A table in a file that at every instant holds whole rows only: each append is one write, and
+/// what a full disk cuts off is taken away again.
+class RunTable {
+ public:
+  /// A new file with a header line. Throws std::runtime_error where it cannot be written.
+  static RunTable create(const std::string& path, const std::string& header);
+
+  /// A file of this header, whose first rows, as many as asked for, are kept and whose rest is cut
+  /// off. Throws std::runtime_error where it is another table.
+  static RunTable reopen(const std::string& path, const std::string& header, std::int64_t rows);
+
+  RunTable(RunTable&& other) noexcept;
+  RunTable& operator=(RunTable&&) = delete;
+  ~RunTable();
+
+  /// Whole rows. Throws std::runtime_error, and leaves the table as it was, where the file does not
+  /// take them.
+  void append(const std::string& rows);
+
+ private:
+  RunTable(std::string path, int descriptor);
+
+  std::string path_;
+  int descriptor_;
+};
+
+/// Whole rows of a table after its header; 0 where there is no file.
+std::int64_t wholeRows(const std::string& path);
+
+/// The whole text of a small file; none where there is no file.
+std::optional<std::string> textOf(const std::string& path);
+
+/// Writes a small file. Throws std::runtime_error.
+void writeText(const std::string& path, const std::string& text);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,71 @@
+// Runs a scene many times with varied values, on all cores or as one shard of several.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "programs/distinct_files.hpp"
+#include "programs/run_program.hpp"
+#include "programs/standard_streams.hpp"
+#include "programs/tool_scene.hpp"
+#include "programs/usage.hpp"
+#include "tools/common/gnuplot.hpp"
+#include "tools/sweep/merge_shards.hpp"
+#include "tools/sweep/run_table.hpp"
+#include "tools/sweep/sweep_job.hpp"
+#include "tools/sweep/sweep_plot.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// What is made of the whole table.
+void report(const SweepInfo& info, const std::string& directory) {
+  const std::filesystem::path out = directory;
+  const SweepSummary summary = summarise((out / "runs.csv").string(), info);
+  writeText((out / "summary.csv").string(), summaryCsv(summary));
+  print(summaryTable(summary));
+  if (hasGnuplot())
+    plotSweep(summary, info, (out / "fan.csv").string(), (out / "sweep.svg").string());
+  else
+    print("gnuplot is not installed: " + (out / "summary.csv").string() +
+          " is there, the plot is not\n");
+}
+
+void requireDistinctFiles(const SweepOptions& options) {
+  const std::filesystem::path out = options.directory();
+  std::vector<NamedFile> files{{"the scene", options.scene, false},
+                               {"the study", options.study, false}};
+  for (const char* name : {"runs.csv", "fan.csv", "runs.info", "summary.csv", "sweep.svg"})
+    files.push_back({name, (out / name).string(), true});
+  requireDistinct(files);
+}
+
+void run(const SweepOptions& options) {
+  if (!options.merge.empty())
+    return report(mergeShards(options.merge, options.directory()), options.directory());
+  requireDistinctFiles(options);
+  SweepJob job(options);
+  for (const std::string& notice : job.notices())
+    std::fprintf(stderr, "%s\n", noticeLine("sweep", notice).c_str());
+  if (options.run) return print(job.writeScene(*options.run) + "\n");
+  const Shard& shard = options.launched.shard;
+  job.run();
+  if (shard.count == 1) return report(job.info(), options.directory());
+  print("shard " + std::to_string(shard.index) + " of " + std::to_string(shard.count) +
+        (options.launched.by.empty() ? "" : " (" + options.launched.by + ")") +
+        " is done; once all are: sweep merge " + options.directory() + "\n");
+}
+
+}  // namespace
+}  // namespace rigid_body_sim
+
+int main(int argc, char** argv) {
+  using namespace rigid_body_sim;
+  return runProgram("sweep", [&] {
+    const SweepOptions options =
+        parseSweepOptions(argc, argv, [](const char* name) { return std::getenv(name); });
+    if (options.help)
+      print(sweepHelp());
+    else
+      run(options);
+  });
+}

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rigid_body_sim {
+
+/// What tells one sweep from another, and what its columns are; beside every table as runs.info, so
+/// that what is resumed and merged belongs together.
+struct SweepInfo {
+  std::string title;         ///< the names of scene and study
+  std::uint64_t digest = 0;  ///< of scene, study and options
+  std::int64_t runs = 0;     ///< of all shards
+  std::size_t varied = 0;    ///< columns after the first
+  std::size_t records = 0;   ///< columns before the last three
+  std::string fan;           ///< quantity of fan.csv; empty: none
+  std::vector<std::string> columns;
+};
+
+/// One line per member, and back; the columns are those of the table. Of a text that is none:
+/// nothing.
+std::string toText(const SweepInfo& info);
+std::optional<SweepInfo> sweepInfoIn(const std::string& text);
+
+/// A hash of texts, one after the other.
+std::uint64_t digestOf(const std::vector<std::string>& texts);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,150 @@
+#include "tools/sweep/sweep_job.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+#include "programs/package_directory.hpp"
+#include "programs/tool_scene.hpp"
+#include "programs/usage.hpp"
+#include "scene/files/read_file.hpp"
+#include "scene/limits.hpp"
+#include "scene/message_text.hpp"
+#include "scene/study/number_text.hpp"
+#include "tools/common/progress_bar.hpp"
+#include "tools/sweep/run_table.hpp"
+#include "tools/sweep/stop_signals.hpp"
+#include "tools/sweep/sweep_pool.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+std::string joined(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) line += (line.empty() ? "" : ",") + field;
+  return line;
+}
+
+std::string fanHeader(const std::vector<double>& instants) {
+  std::string header = "run";
+  for (const double t : instants) header += "," + numberText(t);
+  return header;
+}
+
+SweepInputs inputsOf(const SweepOptions& options) {
+  SweepInputs inputs;
+  inputs.study = loadStudy(options.study, options.runs, options.seed);
+  inputs.scene_text = readFile(options.scene, "scene file", kMaxSceneBytes);
+  inputs.context.source = options.scene;
+  inputs.context.directory = std::filesystem::path(options.scene).parent_path();
+  inputs.context.find_package = packageDirectory;
+  return inputs;
+}
+
+std::string baseName(const std::string& path) {
+  return oneLine(std::filesystem::path(path).filename().string());
+}
+
+}  // namespace
+
+SweepJob::SweepJob(const SweepOptions& options)
+    : options_(options), shard_(options.launched.shard), inputs_(inputsOf(options)) {
+  runners_.push_back(std::make_unique<SweepRunner>(inputs_));
+  SweepRunner& runner = *runners_.front();
+  runner.checkPaths();
+  info_.title = baseName(options.scene) + ", " + baseName(options.study);
+  info_.digest =
+      digestOf({inputs_.scene_text, readFile(options.study, "study file", kMaxSceneBytes),
+                std::to_string(inputs_.study.seed)});
+  info_.runs = runner.runs();
+  info_.varied = runner.variedColumns();
+  info_.records = runner.records().size();
+  info_.fan = runner.fanName();
+}
+
+std::string SweepJob::path(const std::string& stem, const std::string& extension) const {
+  return (std::filesystem::path(options_.directory()) / shard_.fileName(stem, extension)).string();
+}
+
+std::string SweepJob::writeScene(std::int64_t number) {
+  if (number >= info_.runs)
+    throw UsageError("--run: must be less than the " + std::to_string(info_.runs) +
+                     " runs of the study, got " + std::to_string(number));
+  const std::string scene = runners_.front()->sceneOf(number);
+  std::filesystem::create_directories(options_.directory());
+  const std::string path =
+      (std::filesystem::path(options_.directory()) / ("run_" + std::to_string(number) + ".yaml"))
+          .string();
+  writeText(path, "# run " + std::to_string(number) + " of " + info_.title + ", seed " +
+                      std::to_string(inputs_.study.seed) + "\n" + scene);
+  return path;
+}
+
+/// Rows that an interrupted sweep has finished, in both tables.
+std::int64_t SweepJob::rowsToKeep() const {
+  const std::optional<std::string> info = textOf(path("runs", ".info"));
+  const std::string table = path("runs", ".csv");
+  if (!std::filesystem::exists(table)) return 0;
+  if (info != toText(info_))
+    throw std::runtime_error(table + ": is of another sweep; remove it, or leave --resume out");
+  const std::int64_t rows = std::min(wholeRows(table), shard_.runsOf(info_.runs));
+  const std::int64_t fan_rows = shard_.runsOf(std::min(info_.runs, SweepRunner::kFanRuns));
+  if (info_.fan.empty() || rows == 0) return rows;
+  const std::int64_t fan = wholeRows(path("fan", ".csv"));
+  return fan < std::min(rows, fan_rows) ? fan : rows;
+}
+
+/// What meshes the first has read the others need not read again.
+void SweepJob::addRunners(std::int64_t runs) {
+  const auto threads = std::min<std::int64_t>(options_.threads, std::max<std::int64_t>(1, runs));
+  inputs_.context = runners_.front()->context();
+  while (static_cast<std::int64_t>(runners_.size()) < threads)
+    runners_.push_back(std::make_unique<SweepRunner>(inputs_));
+}
+
+void SweepJob::run() {
+  std::filesystem::create_directories(options_.directory());
+  const std::int64_t all = shard_.runsOf(info_.runs);
+  const std::int64_t kept = options_.resume ? rowsToKeep() : 0;
+  const bool goes_on = kept > 0;
+  const auto open = [&](const std::string& stem, const std::string& header, std::int64_t rows) {
+    const std::string file = path(stem, ".csv");
+    return goes_on ? RunTable::reopen(file, header, rows) : RunTable::create(file, header);
+  };
+  // the description first: a table without it cannot be gone on with
+  if (!goes_on) writeText(path("runs", ".info"), toText(info_));
+  RunTable table = open("runs", joined(runners_.front()->columns()), kept);
+  std::optional<RunTable> fan;
+  const std::int64_t fan_rows = shard_.runsOf(std::min(info_.runs, SweepRunner::kFanRuns));
+  if (!info_.fan.empty())
+    fan.emplace(open("fan", fanHeader(runners_.front()->fanInstants()), std::min(kept, fan_rows)));
+  addRunners(all - kept);
+
+  const StopSignals signals;
+  ProgressBar bar;
+  SweepPool pool(
+      runners_, shard_,
+      [&](const std::string& rows, const std::string& fan_lines) {
+        table.append(rows);
+        if (fan) fan->append(fan_lines);
+      },
+      signals.requested());
+  const SweepOutcome outcome = pool.run(kept, all, [&](std::int64_t written) {
+    bar.show(static_cast<double>(written) /
+             static_cast<double>(std::max<std::int64_t>(1, all - kept)));
+  });
+  if (outcome.refused > 0)
+    std::fprintf(
+        stderr, "%s\n",
+        noticeLine("sweep", std::to_string(outcome.refused) +
+                                " runs have no result; the first is " + outcome.first_refusal)
+            .c_str());
+  if (kept + outcome.written == all) return;
+  std::fprintf(stderr,
+               "sweep: stopped after %lld of %lld runs; the same command with --resume goes on\n",
+               static_cast<long long>(kept + outcome.written), static_cast<long long>(all));
+  signals.endIfRequested();
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,109 @@
+#include "tools/sweep/sweep_options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <thread>
+
+#include "programs/usage.hpp"
+#include "scene/message_text.hpp"
+#include "scene/study/study.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// gnuplot takes no line ends in a path.
+std::string directoryIn(const char* text) {
+  const std::string path = text;
+  if (path.empty() || oneLine(path) != path)
+    throw UsageError("--out: must be a path without control characters, got '" + printable(path) +
+                     "'");
+  return path;
+}
+
+template <class Number>
+Number wholeNumber(const std::string& option, const char* text, Number least, Number most) {
+  const char* end = text + std::strlen(text);
+  Number number = 0;
+  const auto [rest, error] = std::from_chars(text, end, number);
+  if (text == end || rest != end || error != std::errc() || number < least || number > most)
+    throw UsageError("--" + option + ": must be a whole number from " + std::to_string(least) +
+                     " to " + std::to_string(most) + ", got '" + printable(std::string(text)) +
+                     "'");
+  return number;
+}
+
+int usualThreads() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+SweepOptions parseMerge(int argc, char** argv) {
+  SweepOptions options;
+  const OptionActions actions{{"out", [&](const char* s) { options.out = directoryIn(s); }}};
+  const auto directories =
+      readCommandLine(argc, argv, actions, "at least one directory is", kAtLeastOne, {});
+  options.help = !directories;
+  options.merge = directories.value_or(std::vector<std::string>());
+  for (const std::string& directory : options.merge) directoryIn(directory.c_str());
+  return options;
+}
+
+}  // namespace
+
+SweepOptions parseSweepOptions(int argc, char** argv, const Environment& environment) {
+  if (argc > 1 && std::string(argv[1]) == "merge") return parseMerge(argc - 1, argv + 1);
+  constexpr int kMaxThreads = 1024;
+  SweepOptions options;
+  options.threads = usualThreads();
+  std::optional<Shard> shard;
+  const OptionActions actions{
+      {"runs",
+       [&](const char* s) {
+         options.runs = wholeNumber<std::int64_t>("runs", s, 1, kMaxSweepRuns);
+       }},
+      {"seed",
+       [&](const char* s) { options.seed = wholeNumber<std::uint64_t>("seed", s, 0, UINT64_MAX); }},
+      {"run",
+       [&](const char* s) {
+         options.run = wholeNumber<std::int64_t>("run", s, 0, kMaxSweepRuns - 1);
+       }},
+      {"threads",
+       [&](const char* s) { options.threads = wholeNumber("threads", s, 1, kMaxThreads); }},
+      {"shard", [&](const char* s) { shard = parseShard(s); }},
+      {"out", [&](const char* s) { options.out = directoryIn(s); }}};
+  const auto files = readCommandLine(argc, argv, actions, "a scene file and a study file are", 2,
+                                     {{"resume", &options.resume}});
+  options.help = !files;
+  if (options.help) return options;
+  options.scene = files->front();
+  options.study = files->back();
+  options.launched = shard ? LaunchedShard{*shard, ""} : launchedShard(environment);
+  return options;
+}
+
+std::string sweepHelp() {
+  return R"(usage: sweep SCENE STUDY [options]
+       sweep merge DIR ... [--out DIR]
+       sweep --run K SCENE STUDY [options]
+Runs a scene many times, its values varied as the study says: what happens for the masses, pushes and
+motors that are not known exactly. Writes a row per run, what their distributions are, and a plot.
+doc/sweep.md has the keys of a study and a job file for each launcher.
+
+  --runs N      in place of the study's, without its grids
+  --seed S      in place of the study's
+  --threads T   default: the cores that this process may use
+  --shard I/N   every N-th run from the I-th on; default: what Slurm's job arrays, mpirun, or GNU
+                parallel (with RIGID_BODY_SIM_SHARDS) have set, else all runs
+  --out DIR     where the results go, made if absent; default: here, or of merge the first DIR
+  --resume      goes on after the last row of an interrupted sweep
+  --run K       writes the scene of run K as run_K.yaml, and runs nothing
+  --help        this text
+
+Files: runs.csv with a row per run: its number, every varied value, the end state of every body that
+moves, what is recorded, the estimated errors [rad], [m], and its status: done, or why not. summary.csv:
+mean, standard deviation, percentiles, correlations. sweep.svg: distributions, scatter, fan; needs
+gnuplot. A shard writes runs.2of4.csv; `sweep merge` makes the whole of the shards, byte for byte.
+A value depends on seed, number of the run and path alone: threads and shards change nothing.
+Exit status: 0 done, 1 the input is at fault, 2 wrong usage. A run that diverges is a row.
+)";
+}
+
+}  // namespace rigid_body_sim

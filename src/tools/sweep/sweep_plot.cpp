@@ -1,0 +1,134 @@
+#include "tools/sweep/sweep_plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "scene/message_text.hpp"
+#include "scene/study/number_text.hpp"
+#include "tools/common/gnuplot.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+/// Records first, else the place of the first body; those that vary.
+std::vector<std::size_t> shownResults(const SweepSummary& summary) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::size_t> shown;
+  const std::size_t end = summary.results.size() - 2;
+  const std::size_t first = summary.records > 0 ? end - summary.records : 0;
+  for (std::size_t k = first; k < end && shown.size() < kMost; ++k)
+    if (summary.results[k].count > 1 && summary.results[k].least < summary.results[k].greatest)
+      shown.push_back(k);
+  return shown;
+}
+
+/// How many of the kept numbers lie in each of equal bins: centre and count.
+void writeHistogram(const ColumnSummary& column, std::ostream& script) {
+  constexpr int kBins = 40;
+  const double low = column.least, width = (column.greatest - low) / kBins;
+  std::vector<int> counts(kBins);
+  for (const double x : column.kept)
+    if (!std::isnan(x))
+      ++counts[static_cast<std::size_t>(
+          std::clamp(std::floor((x - low) / width), 0.0, kBins - 1.0))];
+  for (int i = 0; i < kBins; ++i)
+    script << numberText(low + (i + 0.5) * width) << ' ' << counts[static_cast<std::size_t>(i)]
+           << '\n';
+}
+
+void writePoints(const ColumnSummary& x, const ColumnSummary& y, std::ostream& script) {
+  constexpr std::size_t kMost = 3000;
+  for (std::size_t i = 0; i < std::min(y.kept.size(), kMost); ++i)
+    if (!std::isnan(x.kept[i]) && !std::isnan(y.kept[i]))
+      script << numberText(x.kept[i]) << ' ' << numberText(y.kept[i]) << '\n';
+}
+
+/// The instants of the fan and percentiles of the quantity there: time, 5, 25, 50, 75, 95 %.
+bool writeFan(const std::string& fan_csv, std::ostream& script) {
+  std::ifstream in(fan_csv);
+  std::string line, field;
+  std::vector<std::string> times;
+  std::vector<ColumnSummary> columns;
+  if (!std::getline(in, line)) return false;
+  std::istringstream header(line);
+  std::getline(header, field, ',');
+  while (std::getline(header, field, ',')) times.push_back(field);
+  columns.resize(times.size());
+  while (std::getline(in, line)) {
+    std::istringstream row(line);
+    std::getline(row, field, ',');
+    for (std::size_t k = 0; k < columns.size() && std::getline(row, field, ','); ++k) {
+      double x = 0;
+      if (readNumberText(field.data(), field.data() + field.size(), x))
+        columns[k].kept.push_back(x);
+    }
+  }
+  bool any = false;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (columns[k].kept.empty()) continue;
+    any = true;
+    script << times[k];
+    for (double share : {0.05, 0.25, 0.5, 0.75, 0.95})
+      script << ' ' << numberText(columns[k].percentile(share));
+    script << '\n';
+  }
+  return any;
+}
+
+void plotResult(const SweepSummary& summary, std::size_t k, std::size_t place, std::size_t count,
+                std::ostream& script) {
+  const double width = 1.0 / static_cast<double>(count), left = static_cast<double>(place) * width;
+  const std::string name = summary.results[k].name;
+  script << "set size " << width << ",0.33\nset origin " << left << ",0.62\n"
+         << "set xlabel " << gnuplotText(name) << "\nset ylabel 'runs'\nset yrange [0:*]\n"
+         << "plot $histogram" << k << " with boxes lc rgb '#4682b4' notitle\n"
+         << "set yrange [*:*]\n";
+  const auto most = summary.mostCorrelated(k);
+  if (!most) return;
+  script << "set origin " << left << ",0.31\nset xlabel "
+         << gnuplotText(oneLine(summary.varied[*most].name)) << "\nset ylabel " << gnuplotText(name)
+         << "\nplot $points" << k << " with points pt 7 ps 0.25 lc rgb '#4682b4' notitle\n";
+}
+
+void plotFan(const SweepInfo& info, std::ostream& script) {
+  script << "set size 1,0.31\nset origin 0,0\nset xlabel 'time [s]'\nset ylabel "
+         << gnuplotText(info.fan) << "\nset key outside right\n"
+         << "plot $fan using 1:2:6 with filledcurves lc rgb '#d6e4f0' title '5 to 95 %', \\\n"
+         << "  $fan using 1:3:5 with filledcurves lc rgb '#9dbfdd' title '25 to 75 %', \\\n"
+         << "  $fan using 1:4 with lines lw 2 lc rgb '#1f4e79' title 'median'\n";
+}
+
+}  // namespace
+
+void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::string& fan_csv,
+               const std::string& svg) {
+  std::ostringstream script;
+  const std::vector<std::size_t> shown = shownResults(summary);
+  for (const std::size_t k : shown) {
+    script << "$histogram" << k << " << EOD\n";
+    writeHistogram(summary.results[k], script);
+    script << "EOD\n";
+    if (const auto most = summary.mostCorrelated(k)) {
+      script << "$points" << k << " << EOD\n";
+      writePoints(summary.varied[*most], summary.results[k], script);
+      script << "EOD\n";
+    }
+  }
+  std::ostringstream fan;
+  const bool has_fan = !info.fan.empty() && writeFan(fan_csv, fan);
+  if (has_fan) script << "$fan << EOD\n" << fan.str() << "EOD\n";
+  script << "set terminal svg size 1000,900 noenhanced font 'sans,13' background 'white'\n"
+         << "set output " << gnuplotText(svg) << "\nset multiplot title "
+         << gnuplotText(oneLine(info.title) + ": " + std::to_string(summary.done) + " runs") << "\n"
+         << "set grid lc rgb '#dddddd'\nset style fill solid\nset boxwidth 0.9 relative\n"
+         << "set xtics nomirror autofreq\nset format '%g'\n";
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    plotResult(summary, shown[i], i, shown.size(), script);
+  if (has_fan) plotFan(info, script);
+  script << "unset multiplot\n";
+  runGnuplot(script.str(), svg);
+}
+
+}  // namespace rigid_body_sim

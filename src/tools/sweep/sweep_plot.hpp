@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "tools/sweep/sweep_summary.hpp"
+
+namespace rigid_body_sim {
+
+/// Draws up to three results: how they are distributed, each against the varied value that it goes
+/// most with, and the fan of a quantity over time from fan.csv. Throws std::runtime_error where
+/// gnuplot fails.
+void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::string& fan_csv,
+               const std::string& svg);
+
+}  // namespace rigid_body_sim

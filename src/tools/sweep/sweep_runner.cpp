@@ -1,0 +1,240 @@
+#include "tools/sweep/sweep_runner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/step_too_long.hpp"
+#include "programs/usage.hpp"
+#include "scene/message_text.hpp"
+#include "scene/study/number_text.hpp"
+#include "scene/study/read_record.hpp"
+#include "tools/common/state_at.hpp"
+#include "tools/sweep/solved_step.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+std::size_t bodyNamed(const World& world, const std::string& name) {
+  const auto body = std::find_if(world.bodies.begin(), world.bodies.end(),
+                                 [&](const Body& b) { return b.name == name; });
+  return static_cast<std::size_t>(body - world.bodies.begin());
+}
+
+/// A message as a field of a table.
+std::string field(std::string text) {
+  for (char& c : text)
+    if (c == ',' || c == '"') c = ';';
+  return oneLine(std::move(text));
+}
+
+void appendField(double x, std::string& row) {
+  row += ',';
+  appendNumber(x, row);
+}
+
+}  // namespace
+
+SweepRunner::SweepRunner(const SweepInputs& inputs)
+    : inputs_(inputs),
+      scene_(inputs.scene_text, inputs.context, inputs.study),
+      draws_(inputs.study) {
+  const Built built = build();
+  notices_ = scene_.scene().notices;
+  nominal_duration_ = built.duration;
+  for (std::size_t i = 0; i < inputs.study.vary.size(); ++i) {
+    values_.push_back(scene_.own(i));
+    read_backs_.emplace_back(inputs.study.vary[i].path, scene_.bodyOf(i));
+  }
+  for (std::size_t i = 0; i < built.world.bodies.size(); ++i)
+    if (!built.world.bodies[i].fixed) moving_.push_back(i);
+  findRecords(built.world);
+  findColumns(built.world);
+}
+
+SweepRunner::Built SweepRunner::build() {
+  const Scene& scene = scene_.scene();
+  Built built{buildWorld(scene), {}, inputs_.study.duration.value_or(scene.horizon)};
+  built.initial = initialState(scene, built.world);
+  return built;
+}
+
+void SweepRunner::findRecords(const World& world) {
+  const std::vector<std::string>& names = quantityNames();
+  for (const RecordDef& def : inputs_.study.record) {
+    Quantity quantity;
+    quantity.body = bodyNamed(world, def.quantity.body);
+    if (quantity.body == world.bodies.size()) {
+      std::vector<std::string> known;
+      for (const Body& body : world.bodies) known.push_back(body.name);
+      throw SceneError(inputs_.study.source, def.line,
+                       "record." + def.name + ": unknown body '" + printable(def.quantity.body) +
+                           "' (known: " + nameList(known) + ")" +
+                           didYouMean(def.quantity.body, known));
+    }
+    quantity.index = static_cast<std::size_t>(
+        std::find(names.begin(), names.end(), def.quantity.name) - names.begin());
+    records_.push_back({def, quantity});
+  }
+  const auto varies = [&](const Varied& varied) { return varied.path == "horizon"; };
+  const std::vector<Varied>& vary = inputs_.study.vary;
+  if (!inputs_.study.duration && std::any_of(vary.begin(), vary.end(), varies)) return;
+  constexpr std::size_t kHeight = 2;  // pz
+  if (!records_.empty())
+    fan_ = records_.front().quantity;
+  else if (!moving_.empty())
+    fan_ = Quantity{moving_.front(), kHeight};
+}
+
+void SweepRunner::findColumns(const World& world) {
+  columns_.push_back("run");
+  for (std::size_t i = 0; i < inputs_.study.vary.size(); ++i) {
+    const Varied& varied = inputs_.study.vary[i];
+    SceneValue shape = scene_.own(i);
+    if (const auto* list = std::get_if<ListDistribution>(&varied.distribution))
+      shape = list->values.front();
+    if (const auto* grid = std::get_if<GridDistribution>(&varied.distribution))
+      shape = grid->values.front();
+    if (std::holds_alternative<NormalDistribution>(varied.distribution) ||
+        std::holds_alternative<UniformDistribution>(varied.distribution))
+      shape = {{{"0"}}, false};
+    for (std::size_t k = 0; k < shape.words.size(); ++k)
+      columns_.push_back(varied.path + (shape.is_list ? "[" + std::to_string(k) + "]" : ""));
+    values_[i] = shape;
+  }
+  varied_columns_ = columns_.size() - 1;
+  constexpr std::size_t kMotionNumbers = 13;
+  for (const std::size_t i : moving_)
+    for (std::size_t k = 0; k < kMotionNumbers; ++k)
+      columns_.push_back(world.bodies[i].name + "." + quantityNames()[k]);
+  for (const RunRecorder::Record& record : records_) columns_.push_back(record.def.name);
+  for (const char* last : {"attitude_error", "position_error", "status"}) columns_.push_back(last);
+}
+
+std::vector<double> SweepRunner::fanInstants() const {
+  std::vector<double> instants;
+  for (int k = 0; fan_ && k <= kFanInstants; ++k)
+    instants.push_back(nominal_duration_ * k / kFanInstants);
+  return instants;
+}
+
+std::string SweepRunner::fanName() const {
+  if (!fan_) return "";
+  return scene_.read().bodies[fan_->body].name + "." + quantityNames()[fan_->index];
+}
+
+void SweepRunner::setValues(std::int64_t number) {
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    values_[i] = draws_.value(i, number, scene_.own(i));
+    scene_.set(i, values_[i]);
+  }
+}
+
+std::string SweepRunner::sceneOf(std::int64_t number) {
+  setValues(number);
+  build();
+  return scene_.yaml();
+}
+
+RunRows SweepRunner::run(std::int64_t number) {
+  const bool with_fan = number < kFanRuns && fan_;
+  RunRows rows;
+  rows.row = std::to_string(number);
+  setValues(number);
+  const auto refuse = [&](const Built* built, const std::string& status) {
+    rows.row = std::to_string(number);
+    appendValues(built, rows.row);
+    rows.row.append(columns_.size() - varied_columns_ - 1, ',');
+    rows.row += field(status) + "\n";
+    if (with_fan) rows.fan = std::to_string(number) + std::string(kFanInstants + 1, ',') + "\n";
+    rows.refusal = "run " + std::to_string(number) + ": " + status;
+  };
+  std::optional<Built> built;
+  try {
+    built = build();
+    simulate(*built, with_fan, number, rows);
+  } catch (const SceneError& error) {
+    refuse(nullptr, std::string("refused: ") + error.what());
+  } catch (const SimulationDiverged& error) {
+    refuse(&*built, std::string("diverged: ") + error.what());
+  } catch (const StepTooLong& error) {
+    refuse(&*built, std::string("diverged: ") + error.what());
+  } catch (const std::invalid_argument& error) {
+    refuse(built ? &*built : nullptr, std::string("refused: ") + error.what());
+  }
+  return rows;
+}
+
+void SweepRunner::simulate(const Built& built, bool with_fan, std::int64_t number,
+                           RunRows& rows) const {
+  appendValues(&built, rows.row);
+  const bool within = RunRecorder::areNeededWithin(records_);
+  Simulation run = within ? Simulation(built.world, built.initial)
+                          : quickSimulation(built.world, built.initial, built.duration);
+  if (!everyMotionIsSolved(run)) run.trackError();
+  std::optional<RunRecorder> recorder;
+  if (!records_.empty()) recorder.emplace(records_, run);
+  std::string fan;
+  if (with_fan && !within && everyMotionIsSolved(run)) {
+    // a state within a long step is found from its start on, each anew
+    World by_instants = built.world;
+    by_instants.solver.time_step = built.duration / kFanInstants;
+    Simulation beside(std::move(by_instants), built.initial);
+    follow(beside, built, nullptr, &fan);
+  } else {
+    follow(run, built, within ? &*recorder : nullptr, with_fan ? &fan : nullptr);
+  }
+  const State end = stateAt(run, built.duration);
+  if (recorder) recorder->finish(end);
+  const ErrorEstimate error = run.errorEstimate();
+
+  appendStates(built.world, end, rows.row);
+  if (recorder) {
+    const auto found = within ? recorder->values(Simulation(built.world, built.initial), end.t)
+                              : recorder->values(run, 0);
+    for (const std::optional<double>& value : found)
+      if (value)
+        appendField(*value, rows.row);
+      else
+        rows.row += ',';
+  }
+  appendField(error.attitude, rows.row);
+  appendField(error.position, rows.row);
+  rows.row += ",done\n";
+  if (with_fan) rows.fan = std::to_string(number) + fan + "\n";
+}
+
+/// Steps the run to its end. recorder, fan: null where they are not needed.
+void SweepRunner::follow(Simulation& run, const Built& built, RunRecorder* recorder,
+                         std::string* fan) const {
+  StepHooks hooks;
+  if (recorder) {
+    recorder->look();
+    hooks.after = [recorder] { recorder->look(); };
+  }
+  for (int k = 0; fan && k <= kFanInstants; ++k) {
+    const State state = stateAt(run, built.duration * k / kFanInstants, hooks);
+    appendField(fan_->of(built.world.bodies[fan_->body], state.bodies[fan_->body]), *fan);
+  }
+  if (!fan && recorder) stateAt(run, built.duration, hooks);
+}
+
+void SweepRunner::appendValues(const Built* built, std::string& row) const {
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const SceneValue read =
+        built ? asReadBack(values_[i],
+                           read_backs_[i].numbers(scene_.read(), built->world, built->initial))
+              : values_[i];
+    for (const SceneValue::Word& word : read.words) row += "," + field(word.text);
+  }
+}
+
+void SweepRunner::appendStates(const World& world, const State& end, std::string& row) const {
+  std::vector<double> numbers;
+  for (const std::size_t i : moving_) {
+    numbers.clear();
+    addMotion(toBodyFrameMotion(world.bodies[i], end.bodies[i]), numbers);
+    for (const double x : numbers) appendField(x, row);
+  }
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <rigid_body_sim/scene/build_world.hpp>
+
+#include "scene/study/draws.hpp"
+#include "scene/study/read_back.hpp"
+#include "scene/study/varied_scene.hpp"
+#include "tools/sweep/run_recorder.hpp"
+
+namespace rigid_body_sim {
+
+/// What all runs of a sweep have in common.
+struct SweepInputs {
+  Study study;
+  std::string scene_text;
+  ReadContext context;  ///< of the scene
+};
+
+/// How a run ended: its rows, each with its end of line.
+struct RunRows {
+  std::string row;
+  std::string fan;      ///< empty: the run has none
+  std::string refusal;  ///< why it is no result; empty: it is one
+};
+
+/// Makes runs of a study, one after the other, each from its number alone. Every thread has its
+/// own.
+class SweepRunner {
+ public:
+  /// The first runs have a row of the fan, at so many instants and the start.
+  static constexpr std::int64_t kFanRuns = 1000;
+  static constexpr int kFanInstants = 40;
+
+  /// Throws SceneError for a scene or a study at fault.
+  explicit SweepRunner(const SweepInputs& inputs);
+
+  /// Throws SceneError for a path that varies nothing, and for a value of a list or grid, or a
+  /// mean, that the scene refuses.
+  void checkPaths();
+
+  std::int64_t runs() const { return draws_.runs(); }
+  RunRows run(std::int64_t number);
+
+  /// The scene of a run, as YAML. Throws SceneError where the scene refuses a value.
+  std::string sceneOf(std::int64_t number);
+
+  const std::vector<std::string>& columns() const { return columns_; }
+  std::size_t variedColumns() const { return varied_columns_; }
+  const std::vector<RunRecorder::Record>& records() const { return records_; }
+
+  /// Instants of the fan [s], and its quantity; none where runs differ in their duration.
+  std::vector<double> fanInstants() const;
+  std::string fanName() const;
+
+  const std::vector<std::string>& notices() const { return notices_; }
+  const ReadContext& context() const { return scene_.context(); }
+
+ private:
+  struct Built {
+    World world;
+    State initial;
+    double duration = 0;  // [s]
+  };
+
+  void findColumns(const World& world);
+  void findRecords(const World& world);
+  Built build();
+  void setValues(std::int64_t number);
+  void checkPath(std::size_t index);
+  std::vector<SceneValue> probesOf(std::size_t index) const;
+  void simulate(const Built& built, bool with_fan, std::int64_t number, RunRows& rows) const;
+  void follow(Simulation& run, const Built& built, RunRecorder* recorder, std::string* fan) const;
+  void appendValues(const Built* built, std::string& row) const;
+  void appendStates(const World& world, const State& end, std::string& row) const;
+
+  const SweepInputs& inputs_;
+  VariedScene scene_;
+  Draws draws_;
+  std::vector<SceneValue> values_;    ///< of the present run, path by path
+  std::vector<ReadBack> read_backs_;  ///< likewise
+  std::vector<std::size_t> moving_;   ///< bodies
+  std::vector<RunRecorder::Record> records_;
+  std::optional<Quantity> fan_;
+  std::vector<std::string> columns_;
+  std::size_t varied_columns_ = 0;
+  double nominal_duration_ = 0;  // [s]
+  std::vector<std::string> notices_;
+};
+
+}  // namespace rigid_body_sim

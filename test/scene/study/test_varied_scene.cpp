@@ -1,0 +1,161 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "scene/study/reaches.hpp"
+#include "scene/study/read_back.hpp"
+#include "scene/study/varied_scene.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+const std::string kVariedScene = R"(gravity: [0, 0, -9.8]
+time_step: 0.01
+bodies:
+  - name: box
+    shape: {box: [1.0, 0.5, 0.25]}
+    mass: 2
+    twist: {frame: body, linear: [1, 0, 0], angular: [0.2, 1.5, 0.4]}
+    drag: {linear: 0.5}
+    points: {tip: {position: [1, 0, 0]}, idle: {position: [0, 1, 0]}}
+  - {name: ball, shape: {sphere: {radius: 0.1}}, density: 700, position: [5, 0, 0]}
+forces:
+  - {type: spring, from: {body: box}, to: {body: ball}, stiffness: 4, rest_length: 3}
+wrenches:
+  - {body: box, frame: box/tip, point_frame: box/tip, force: [0, 0, 1], start: 0.5, duration: 1}
+)";
+
+Study studyVarying(const std::vector<std::string>& paths) {
+  std::string text = "runs: 1\nvary:\n";
+  for (const std::string& path : paths) text += "  " + path + ": {list: [1]}\n";
+  return parseStudy(text, "study.yaml");
+}
+
+SceneValue number(const std::string& text) { return {{{text}}, false}; }
+
+ReadContext contextOf(const std::string& source) {
+  ReadContext context;
+  context.source = source;
+  return context;
+}
+
+std::string pathFault(const std::vector<std::string>& paths) {
+  try {
+    VariedScene(kVariedScene, contextOf("scene.yaml"), studyVarying(paths));
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(VariedScene, SetsValuesAsIfTheyStoodInTheFile) {
+  const std::vector<std::string> paths = {"bodies.box.mass",       "bodies.box.twist.angular[2]",
+                                          "bodies.ball.density",   "forces[0].stiffness",
+                                          "wrenches[0].force[2]",  "gravity[2]",
+                                          "bodies[1].position[0]", "tolerance"};
+  VariedScene scene(kVariedScene, contextOf("scene.yaml"), studyVarying(paths));
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    scene.set(i, number(std::to_string(i + 1) + ".25"));
+  const Scene& read = scene.scene();
+  EXPECT_EQ(std::get<SolidDef>(read.bodies[0].composition).mass, 1.25);
+  EXPECT_EQ(read.bodies[0].twist.angular, Vector3d(0.2, 1.5, 2.25));
+  EXPECT_EQ(std::get<SpringDef>(read.forces[0].law).stiffness, 4.25);
+  EXPECT_EQ(read.wrenches[0].force.z(), 5.25);
+  EXPECT_EQ(read.gravity->z(), 6.25);
+  EXPECT_EQ(read.bodies[1].position.x(), 7.25);
+  EXPECT_EQ(read.tolerance, 8.25);
+  // and the file that is written of it is the same scene
+  const Scene again = parseScene(scene.yaml(), "again.yaml");
+  const World world = buildWorld(read), same = buildWorld(again);
+  EXPECT_FALSE(differInMotion(world, initialState(read, world), same, initialState(again, same)));
+}
+
+TEST(VariedScene, ReadsAgainOnlyWhatChanged) {
+  VariedScene scene(kVariedScene, contextOf("scene.yaml"), studyVarying({"bodies.box.mass"}));
+  scene.set(0, number("3"));
+  EXPECT_EQ(std::get<SolidDef>(scene.scene().bodies[0].composition).mass, 3);
+  scene.set(0, scene.own(0));
+  EXPECT_EQ(std::get<SolidDef>(scene.scene().bodies[0].composition).mass, 2);
+  EXPECT_EQ(scene.scene().bodies[1].name, "ball");
+}
+
+TEST(VariedScene, RefusesAValueAsTheFileWould) {
+  VariedScene scene(kVariedScene, contextOf("scene.yaml"), studyVarying({"bodies.box.mass"}));
+  scene.set(0, number("-2"));
+  for (int attempt = 0; attempt < 2; ++attempt) try {
+      scene.scene();
+      ADD_FAILURE();
+    } catch (const SceneError& error) {
+      EXPECT_STREQ(error.what(), "scene.yaml:6: body 'box': mass must be > 0 kg, got -2");
+    }
+  scene.set(0, number("2"));
+  EXPECT_NO_THROW(scene.scene());
+}
+
+TEST(VariedScene, NamesTheNearestPath) {
+  EXPECT_EQ(pathFault({"bodies.box.masss"}),
+            "study.yaml:3: vary: 'bodies.box.masss' is not in scene.yaml; the nearest that is: "
+            "'bodies.box.mass'");
+  EXPECT_EQ(pathFault({"wrenches[1].start"}),
+            "study.yaml:3: vary: 'wrenches[1].start' is not in scene.yaml; the nearest that is: "
+            "'wrenches[0].start'");
+  EXPECT_NE(pathFault({"bodies.box.twist.angular[3]"}).find("nearest"), std::string::npos);
+  EXPECT_NE(pathFault({"bodies..mass"}).find("nearest"), std::string::npos);
+}
+
+TEST(VariedScene, RefusesPathsThatCannotVary) {
+  EXPECT_EQ(pathFault({"bodies.box.name"}),
+            "study.yaml:3: vary: 'bodies.box.name' is a name, which cannot vary");
+  EXPECT_EQ(pathFault({"bodies.box.twist"}),
+            "study.yaml:3: vary: 'bodies.box.twist' holds more than a value or a list of values; "
+            "name one within it");
+  EXPECT_EQ(pathFault({"gravity", "gravity[2]"}),
+            "study.yaml:4: vary: 'gravity[2]' is part of 'gravity', which varies, too");
+}
+
+TEST(DifferInMotion, SeesWhatReachesTheWorldAndNothingElse) {
+  const auto reaches = [](const std::string& path, const std::string& value) {
+    VariedScene scene(kVariedScene, contextOf("scene.yaml"), studyVarying({path}));
+    const World before = buildWorld(scene.scene());
+    const State start = initialState(scene.scene(), before);
+    scene.set(0, number(value));
+    const World after = buildWorld(scene.scene());
+    return differInMotion(before, start, after, initialState(scene.scene(), after));
+  };
+  EXPECT_TRUE(reaches("bodies.box.drag.linear", "0.6"));
+  EXPECT_TRUE(reaches("forces[0].rest_length", "3.5"));
+  EXPECT_TRUE(reaches("bodies.ball.shape.sphere.radius", "0.2"));
+  EXPECT_TRUE(reaches("wrenches[0].duration", "2"));
+  EXPECT_TRUE(reaches("bodies.box.points.tip.position[0]", "2"));
+  EXPECT_FALSE(reaches("bodies.box.points.idle.position[0]", "2"));
+}
+
+TEST(ReadBack, FindsEveryValueInTheBuiltWorld) {
+  const std::vector<std::pair<std::string, double>> cases = {
+      {"bodies.box.mass", 3},        {"bodies.box.twist.angular[2]", 2}, {"gravity[2]", -1},
+      {"bodies[1].position[0]", -4}, {"wrenches[0].start", 0.75},        {"time_step", 0.125},
+      {"wrenches[0].duration", 2},   {"bodies.box.twist.linear[1]", 7},  {"tolerance", 1e-4}};
+  for (const auto& [path, value] : cases) {
+    VariedScene scene(kVariedScene, contextOf("scene.yaml"), studyVarying({path}));
+    scene.set(0, number(std::to_string(value)));
+    const World world = buildWorld(scene.scene());
+    const auto read = ReadBack(path, scene.bodyOf(0))
+                          .numbers(scene.scene(), world, initialState(scene.scene(), world));
+    ASSERT_TRUE(read) << path;
+    ASSERT_EQ(read->size(), 1U) << path;
+    EXPECT_NEAR(read->front(), value, 1e-14) << path;
+  }
+}
+
+TEST(ReadBack, ShowsAValueThatTheWorldDoesNotHave) {
+  EXPECT_EQ(asReadBack(number("2"), std::vector<double>{2 + 1e-13}).words[0].text, "2");
+  EXPECT_EQ(asReadBack(number("2"), std::vector<double>{2.5}).words[0].text, "2.5");
+}
+
+}  // namespace rigid_body_sim
