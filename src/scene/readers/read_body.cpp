@@ -112,6 +112,22 @@ std::string placeOf(const Entry& entry) {
 
 }  // namespace
 
+bool readBodyKey(const Entry& list_item, std::string_view key, BodyDef& body) {
+  const Entry entry = list_item.as(placeOf(list_item));
+  const Entry value = entry.child(*entry.node().find(key));
+  if (key == "position")
+    body.position = readVector3(value, "m");
+  else if (key == "orientation")
+    body.orientation = readOrientation(value);
+  else if (key == "twist")
+    body.twist = readTwist(value, body);
+  else if (key == "mass" && std::holds_alternative<SolidDef>(body.composition))
+    readComposition(entry, body);
+  else
+    return false;
+  return true;
+}
+
 BodyDef readBody(const Entry& list_item) {
   const auto later = [](const Entry&, BodyDef&) {};  // those that depend on others
   static const std::vector<Key<BodyDef>> keys = {

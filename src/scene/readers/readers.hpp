@@ -7,6 +7,11 @@
 namespace rigid_body_sim {
 
 BodyDef readBody(const Entry& entry);
+
+/// Reads one key of a body anew, on which no other key depends; false, and nothing is read, for any
+/// other.
+bool readBodyKey(const Entry& list_item, std::string_view key, BodyDef& body);
+
 WrenchDef readWrench(const Entry& entry);
 ForceDef readForce(const Entry& entry);
 ContactDef readContact(const Entry& entry);

@@ -4,11 +4,9 @@
 #include <optional>
 #include <sstream>
 
-#include <stdlib.h>
-
 #include <rigid_body_sim/math/rotation.hpp>
 
-#include "scene/files/classic_locale.hpp"
+#include "scene/files/number_text.hpp"
 #include "scene/limits.hpp"
 #include "scene/readers/entry.hpp"
 
@@ -56,7 +54,9 @@ std::optional<double> numberIn(const YamlNode& node) {
   if (!isDecimal(node.text)) return std::nullopt;
 
   // infinite where it does not fit into a double
-  return strtod_l(node.text.data(), nullptr, classicLocale());
+  double number = 0;
+  readNumberText(node.text.data(), node.text.data() + node.text.size(), number);
+  return number;
 }
 
 /// As in URDF: about the fixed axes, roll about x first, then pitch about y, then yaw about z.

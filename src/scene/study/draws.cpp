@@ -8,7 +8,7 @@
 #include <rigid_body_sim/math/rotation.hpp>
 
 #include "math/counter_draws.hpp"
-#include "scene/study/number_text.hpp"
+#include "scene/files/number_text.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/study/number_text.hpp"
+#include "scene/files/number_text.hpp"
 #include "scene/study/scene_path.hpp"
 
 namespace rigid_body_sim {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/files/number_text.hpp"
 #include "scene/readers/read_scene.hpp"
 #include "scene/readers/readers.hpp"
-#include "scene/study/number_text.hpp"
 #include "scene/study/scene_path.hpp"
 #include "scene/study/yaml_text.hpp"
 
@@ -144,6 +144,8 @@ void VariedScene::findPart(Slot& slot) {
     YamlNode& list = *follow(document_.root, steps[0]);
     slot.part = part;
     slot.entry = static_cast<std::size_t>(follow(list, steps[1]) - list.children.data());
+    for (const char* own : {"mass", "position", "orientation", "twist"})
+      if (part == Part::kBody && steps[2].name == own) slot.key = own;
   }
 }
 
@@ -156,29 +158,34 @@ void VariedScene::set(std::size_t index, SceneValue value) {
 }
 
 const Scene& VariedScene::scene() {
-  const auto isNew = [](const Slot& slot) { return !slot.is_read; };
   const bool whole = std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) {
     return !slot.is_read && slot.part == Part::kWhole;
   });
   if (whole) {
     scene_ = readScene(document_.root, context_);
   } else {
-    for (std::size_t i = 0; i < slots_.size(); ++i) {
-      const auto sameEntry = [&](const Slot& s) {
-        return isNew(s) && s.part == slots_[i].part && s.entry == slots_[i].entry;
-      };
-      // the first of those of an entry reads it
-      if (isNew(slots_[i]) && std::none_of(slots_.data(), slots_.data() + i, sameEntry))
-        readEntry(slots_[i]);
-    }
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+      if (!slots_[i].is_read && !isReadBefore(i)) readEntry(slots_[i]);
     context_.notices.clear();
   }
   for (Slot& slot : slots_) slot.is_read = true;
   return scene_;
 }
 
+/// Whether a slot before this one, whose value changed, too, is read together with it.
+bool VariedScene::isReadBefore(std::size_t index) const {
+  const Slot& slot = slots_[index];
+  return std::any_of(slots_.data(), slots_.data() + index, [&](const Slot& s) {
+    return !s.is_read && s.part == slot.part && s.entry == slot.entry && s.key == slot.key;
+  });
+}
+
 void VariedScene::readEntry(const Slot& slot) {
   const Entry root(context_, document_.root);
+  if (!slot.key.empty()) {
+    const Entry list = root.child(*document_.root.find("bodies"));
+    if (readBodyKey(list.item(slot.entry), slot.key, scene_.bodies[slot.entry])) return;
+  }
   const auto read = [&](const char* key, auto& entries, const auto& reader) {
     const Entry list = root.child(*document_.root.find(key));
     entries[slot.entry] = reader(list.item(slot.entry));

@@ -54,6 +54,7 @@ class VariedScene {
     std::string path;
     Part part = Part::kWhole;
     std::size_t entry = 0;  ///< index in its list
+    std::string key;        ///< of a body; where it can be read by itself, else empty
     YamlNode* node = nullptr;
     SceneValue own, now;
     bool is_read = true;
@@ -63,6 +64,7 @@ class VariedScene {
   void addSlot(const Varied& varied, const Study& study);
   void refuseOverlaps(const Study& study) const;
   void findPart(Slot& slot);
+  bool isReadBefore(std::size_t index) const;
   void readEntry(const Slot& slot);
 
   YamlDocument document_;

@@ -11,7 +11,7 @@
 #include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/message_text.hpp"
-#include "scene/study/number_text.hpp"
+#include "scene/files/number_text.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/stop_signals.hpp"

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "scene/message_text.hpp"
-#include "scene/study/number_text.hpp"
+#include "scene/files/number_text.hpp"
 #include "tools/common/gnuplot.hpp"
 
 namespace rigid_body_sim {
@@ -39,7 +39,7 @@ void writeHistogram(const ColumnSummary& column, std::ostream& script) {
 }
 
 void writePoints(const ColumnSummary& x, const ColumnSummary& y, std::ostream& script) {
-  constexpr std::size_t kMost = 3000;
+  constexpr std::size_t kMost = 600;
   for (std::size_t i = 0; i < std::min(y.kept.size(), kMost); ++i)
     if (!std::isnan(x.kept[i]) && !std::isnan(y.kept[i]))
       script << numberText(x.kept[i]) << ' ' << numberText(y.kept[i]) << '\n';

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "programs/formatted.hpp"
-#include "scene/study/number_text.hpp"
+#include "scene/files/number_text.hpp"
 
 namespace rigid_body_sim {
 namespace {

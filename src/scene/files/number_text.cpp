@@ -1,4 +1,4 @@
-#include "scene/study/number_text.hpp"
+#include "scene/files/number_text.hpp"
 
 #include <limits>
 
