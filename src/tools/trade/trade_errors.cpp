@@ -17,18 +17,32 @@ double relative(double difference, double scale) {
   return scale > 0 ? difference / scale : difference;
 }
 
+/// [kg m²/s] The greatest angular momentum, or what the body has without its wheels if that is
+/// more: the two may cancel.
+double angularMomentumScale(const Body& body, std::size_t index, const std::vector<State>& truth) {
+  const double moment = body.inv_I.cwiseInverse().maxCoeff();
+  double scale = 0;
+  for (const State& state : truth) {
+    const BodyState& at = state.bodies[index];
+    scale = std::max({scale, at.L_W.norm(), moment * angularVelocity(body.inv_I, at.L_P).norm()});
+  }
+  return scale;
+}
+
 /// rounding [m]: of the body's place.
-void addErrorsOfBody(std::size_t body, double rounding, const std::vector<State>& track,
-                     const std::vector<State>& truth, Errors& worst) {
-  double L_scale = 0;
-  for (const State& state : truth) L_scale = std::max(L_scale, state.bodies[body].L_W.norm());
+void addErrorsOfBody(const Body& of, std::size_t body, double rounding,
+                     const std::vector<State>& track, const std::vector<State>& truth,
+                     Errors& worst) {
+  const double L_scale = angularMomentumScale(of, body, truth);
+  const double size = radiusOfGyration(of);
   double path = 0;
   for (std::size_t k = 1; k < truth.size(); ++k) {
     const BodyState& a = track[k].bodies[body];
     const BodyState& b = truth[k].bodies[body];
     path += distanceBetween(b, truth[k - 1].bodies[body]);
     raise(worst.attitude, angleBetween(a.q_WP, b.q_WP));
-    raise(worst.position, relative(std::max(0.0, distanceBetween(a, b) - rounding), path));
+    const double gap = std::max(0.0, distanceBetween(a, b) - rounding);
+    raise(worst.position, relative(gap, std::max(path, size)));
     raise(worst.angular_momentum, relative((a.L_W - b.L_W).norm(), L_scale));
   }
 }
@@ -40,6 +54,14 @@ double kineticEnergyOfAll(const World& world, const State& state) {
   return sum;
 }
 
+/// [J] What the bodies gain who fall by their radius of gyration.
+double fallEnergy(const World& world) {
+  double sum = 0;
+  for (const Body& body : world.bodies)
+    if (!body.fixed) sum += body.mass * world.g_W.norm() * radiusOfGyration(body);
+  return sum;
+}
+
 }  // namespace
 
 Errors errorsOf(const World& world, const std::vector<State>& track,
@@ -47,8 +69,9 @@ Errors errorsOf(const World& world, const std::vector<State>& track,
   Errors worst;
   const std::vector<double> rounding = positionRounding(world, truth.front().bodies, {});
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    if (!world.bodies[i].fixed) addErrorsOfBody(i, rounding[i], track, truth, worst);
-  double scale = 0;
+    if (!world.bodies[i].fixed)
+      addErrorsOfBody(world.bodies[i], i, rounding[i], track, truth, worst);
+  double scale = fallEnergy(world);
   for (const State& state : truth) scale = std::max(scale, kineticEnergyOfAll(world, state));
   for (std::size_t k = 1; k < truth.size(); ++k)
     raise(worst.energy,

@@ -10,7 +10,7 @@ namespace rigid_body_sim {
 /// How far one computed motion is from another, each the worst of all bodies and instants.
 struct Errors {
   double attitude = 0;          ///< [rad]
-  double position = 0;          ///< relative to the path flown so far
+  double position = 0;          ///< relative to the path flown so far, see errorsOf
   double energy = 0;            ///< of all bodies, relative to the greatest kinetic energy
   double angular_momentum = 0;  ///< of a body about its centre of mass, relative to its greatest
 
@@ -19,7 +19,10 @@ struct Errors {
 };
 
 /// The errors of a track against the truth: states at the same instants, the first of both the
-/// initial state. A quantity whose scale is zero counts as it is.
+/// initial state. Nobody can tell how far a body that hovers has strayed by the length of its path,
+/// which is rounding: the scale of its position is its radius of gyration at least, that of the
+/// energy what the bodies gain by falling so far, that of its angular momentum what it has without
+/// its wheels. A quantity whose scale is zero counts as it is.
 Errors errorsOf(const World& world, const std::vector<State>& track,
                 const std::vector<State>& truth);
 
