@@ -147,8 +147,11 @@ TEST_F(SimulateBags, ReplayIsAsLongAsTheRecord) {
   runs_for("10");  // inputs alone: the horizon
   record("run.bag", {0.1, 11.6}, start);
   runs_for("12.1");  // or as long as the last wrench acts
+  nav_msgs::Odometry odometry;
+  odometry.header.stamp = start + ros::Duration(23.1237);
+  // a minute of wall time went by while the run was paused
   rosbag::Bag(path("run.bag"), rosbag::bagmode::Append)
-      .write("/box/odom", start + ros::Duration(23.1237), nav_msgs::Odometry());
+      .write("/box/odom", odometry.header.stamp + ros::Duration(60), odometry);
   runs_for("23.12");  // whole steps
 }
 

@@ -3,31 +3,29 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <geometry_msgs/WrenchStamped.h>
+#include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
-#include <sensor_msgs/JointState.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/Imu.h>
 
-#include <rigid_body_sim/AppliedWrenches.h>
+#include <rigid_body_sim/BodyStates.h>
+#include <rigid_body_sim/Contacts.h>
 #include <rigid_body_sim/Input.h>
 
 namespace rigid_body_sim {
 namespace {
 
-/// Commands and what actuators do are of one type.
-bool isCommandTopic(const std::string& topic) {
-  const std::string name = "/command";
-  return topic.size() >= name.size() && topic.substr(topic.size() - name.size()) == name;
-}
-
-bool isInput(const rosbag::MessageInstance& message) {
-  namespace traits = ros::message_traits;
-  const std::string type = message.getDataType();
-  if (type == traits::datatype<sensor_msgs::JointState>())
-    return isCommandTopic(message.getTopic());
-  return type == traits::datatype<Input>() || type == traits::datatype<AppliedWrench>() ||
-         type == traits::datatype<AppliedWrenches>() ||
-         type == traits::datatype<geometry_msgs::WrenchStamped>();
+/// The stamp of what a node says of an instant of its run; nothing of any other message. Wall time,
+/// at which messages were recorded, goes on while a run is paused or runs at a pace of its own.
+std::optional<ros::Time> stampOfRun(const rosbag::MessageInstance& message) {
+  if (const auto odometry = message.instantiate<nav_msgs::Odometry>())
+    return odometry->header.stamp;
+  if (const auto states = message.instantiate<BodyStates>()) return states->header.stamp;
+  if (const auto contacts = message.instantiate<Contacts>()) return contacts->header.stamp;
+  if (const auto imu = message.instantiate<sensor_msgs::Imu>()) return imu->header.stamp;
+  if (const auto clock = message.instantiate<rosgraph_msgs::Clock>()) return clock->clock;
+  return std::nullopt;
 }
 
 bool isOfLaterRun(const rosbag::MessageInstance& message) {
@@ -40,8 +38,9 @@ std::optional<double> recordEnd(const rosbag::Bag& bag, const TimeOrigin& origin
   rosbag::View view(bag);
   for (const rosbag::MessageInstance& message : view) {
     if (isOfLaterRun(message)) return std::nullopt;
-    if (isInput(message)) continue;
-    const double t = origin.simulationTime(message.getTime());
+    const std::optional<ros::Time> stamp = stampOfRun(message);
+    if (!stamp) continue;
+    const double t = origin.simulationTime(*stamp);
     end = std::max(end.value_or(t), t);
   }
   return end;
