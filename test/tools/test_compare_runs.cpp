@@ -74,6 +74,21 @@ TEST_F(CompareRuns, MeasuresWhatDiffers) {
   EXPECT_EQ(compare(d + " " + e + " --tolerance 1e-9").exit_code, 0);
 }
 
+TEST_F(CompareRuns, NamesTheBodiesOfOneRunOnly) {
+  const std::string row = ",0,0,0,0,0,0,1,0,0,0,0,0,0\n";
+  const std::string header = "time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n";
+  const std::string a = files.written("a.csv", header + "0,box" + row);
+  const std::string b = files.written("b.csv", header + "0,box" + row + "0,top" + row);
+  const std::string c = files.written("c.csv", header + "0,top" + row);
+  const test::Outcome run = compare(a + " " + b);
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out,
+            "box: 1 instants in both, 0 in one only: the same bits\n"
+            "top: in one of the runs only, not compared\n");
+  EXPECT_EQ(compare(a + " " + c).out,
+            "compare_runs: no body in common: the first run holds 'box', the second 'top'\n");
+}
+
 TEST_F(CompareRuns, RefusesWhatCannotBeCompared) {
   const std::string a = csv("a.csv", "0.3", "0,0,0,1");
   const std::string early = bag("a.bag", 1, ros::Time(7)), late = bag("b.bag", 1, ros::Time(90));

@@ -12,8 +12,8 @@ namespace rigid_body_sim {
 namespace {
 
 const char* const kHelp = R"(usage: compare_runs FIRST SECOND [options]
-Compares two runs of the same bodies at the instants that both hold, and prints the greatest
-differences of each body. Both are
+Compares two runs at the instants that both hold, and prints the greatest differences of each body
+that is in both. Both are
   bags (.bag): the odometry of the bodies, recorded from a node or written by simulate --bag; or
   CSV files (any other name) of simulate --csv.
 
@@ -29,10 +29,13 @@ void compare(const std::vector<std::string>& files, double tolerance) {
     throw UsageError("a bag and a CSV file cannot be compared: their velocities have other axes");
   bool agree = true;
   std::string report;
-  for (const MotionDifference& body : differencesOf(readMotion(files[0]), readMotion(files[1]))) {
+  const RecordedMotion first = readMotion(files[0]), second = readMotion(files[1]);
+  for (const MotionDifference& body : differencesOf(first, second)) {
     report += text(body);
     agree &= body.isWithin(tolerance);
   }
+  for (const std::string& body : bodiesOfOne(first, second))
+    report += body + ": in one of the runs only, not compared\n";
   print(report);
   if (!agree) throw std::runtime_error("the runs differ");
 }

@@ -40,6 +40,12 @@ std::string spanText(const std::map<std::int64_t, Motion>& motion) {
   return timeText(motion.begin()->first) + " to " + timeText(motion.rbegin()->first) + " s";
 }
 
+std::string namesOf(const RecordedMotion& motion) {
+  std::string names;
+  for (const auto& body : motion) names += (names.empty() ? "'" : ", '") + body.first + "'";
+  return names.empty() ? "none" : names;
+}
+
 MotionDifference differenceOf(const std::string& body, const std::map<std::int64_t, Motion>& a,
                               const std::map<std::int64_t, Motion>& b) {
   MotionDifference difference;
@@ -64,14 +70,22 @@ bool MotionDifference::isWithin(double tolerance) const {
 }
 
 std::vector<MotionDifference> differencesOf(const RecordedMotion& a, const RecordedMotion& b) {
-  for (const auto& [first, second] : {std::pair(&a, &b), std::pair(&b, &a)})
-    for (const auto& body : *first)
-      if (second->count(body.first) == 0)
-        throw std::runtime_error("body '" + body.first + "' is in one of the runs only");
   std::vector<MotionDifference> differences;
   for (const auto& [body, motion] : a)
-    differences.push_back(differenceOf(body, motion, b.at(body)));
+    if (const auto other = b.find(body); other != b.end())
+      differences.push_back(differenceOf(body, motion, other->second));
+  if (differences.empty())
+    throw std::runtime_error("no body in common: the first run holds " + namesOf(a) +
+                             ", the second " + namesOf(b));
   return differences;
+}
+
+std::vector<std::string> bodiesOfOne(const RecordedMotion& a, const RecordedMotion& b) {
+  std::vector<std::string> names;
+  for (const auto& [first, second] : {std::pair(&a, &b), std::pair(&b, &a)})
+    for (const auto& body : *first)
+      if (second->count(body.first) == 0) names.push_back(body.first);
+  return names;
 }
 
 std::string text(const MotionDifference& d) {

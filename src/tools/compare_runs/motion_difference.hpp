@@ -23,9 +23,12 @@ struct MotionDifference {
   bool isWithin(double tolerance) const;
 };
 
-/// Of every body of the two. Throws std::runtime_error, one line, for other bodies, and for a body
-/// without an instant that both hold.
+/// Of every body that both runs hold. Throws std::runtime_error, one line, where there is none, and
+/// for a body without an instant that both hold.
 std::vector<MotionDifference> differencesOf(const RecordedMotion& a, const RecordedMotion& b);
+
+/// The bodies that one of the runs holds and the other does not.
+std::vector<std::string> bodiesOfOne(const RecordedMotion& a, const RecordedMotion& b);
 
 /// A line.
 std::string text(const MotionDifference& difference);
