@@ -69,16 +69,16 @@ struct Job {
       : options(given),
         scene(sceneOf(options)),
         world(buildWorld(scene)),
-        first(initialState(scene, world)),
-        simulation(world, first) {}
+        simulation(world, initialState(scene, world)),
+        first(simulation.state()) {}
 
   void note(const std::string& text) { messages.add(noticeLine("simulate", text)); }
 
   SimulateOptions options;
   Scene scene;
   World world;
-  State first;
   Simulation simulation;
+  State first;
   DeferredMessages messages;
   std::unique_ptr<RecordedRun> record;  // of --wrench-bag
   double begin = 0, end = 0;            // [s]
