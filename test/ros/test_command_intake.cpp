@@ -127,9 +127,11 @@ TEST_F(CommandMessages, AreRefusedForFieldsOfAnotherLengthThanNames) {
 
 TEST_F(CommandMessages, AreRefusedInTheFieldOfAnotherKind) {
   EXPECT_EQ(fault(message({"left"}, {}, {1})),
-            "velocity must hold a command for 'left', but is empty");
+            "velocity must hold a command for 'left', but is empty: velocity is of rotors, effort "
+            "of thrusters and wheels");
   EXPECT_EQ(fault(message({"main"}, {1}, {})),
-            "effort must hold a command for 'main', but is empty");
+            "effort must hold a command for 'main', but is empty: velocity is of rotors, effort of "
+            "thrusters and wheels");
   EXPECT_EQ(fault(message({"left", "main"}, {1, 2}, {0, 3})),
             "velocity of 'main' must be 0 or left out, as its command is its effort, got 2");
   EXPECT_EQ(fault(message({"left", "main"}, {1, 0}, {kNan, 3})),

@@ -91,7 +91,10 @@ TEST(ThrusterKeys, FollowTheirRules) {
             ".limits must be [lowest, highest] [N], not both infinite alike, got [.inf, .inf]"},
        {"limits: [0, .nan]",
         kThruster + ".limits[1] must be a number, -.inf or .inf [N], got .nan"},
-       {"time_constant: 0", kThruster + ".time_constant must be > 0 s, got 0"},
+       {"time_constant: 0",
+        kThruster +
+            ".time_constant must be from 1e-9 to 1e9 s, or left out: then the command takes "
+            "effect at once, got 0"},
        {"turns: cw", kAtBox +
                          "unknown key 'thrusters.main.turns' (known: position, direction, limits, "
                          "time_constant)"}});
@@ -133,6 +136,9 @@ TEST(RotorKeys, FollowTheirRules) {
        {"turns: cw, thrust: 1, inertia: 1",
         kRotor + ".inertia needs time_constant: without one the speed jumps with the command, "
                  "and the body with it, got 1"},
+       {"turns: cw, thrust: 1, time_constant: 1e-300",
+        kRotor + ".time_constant must be from 1e-9 to 1e9 s, or left out: then the command takes "
+                 "effect at once, got 1e-300"},
        {"turns: cw, thrust: 1, speed: 1",
         kRotor + ".speed needs time_constant: without one the speed is always that of the "
                  "command, got 1"}});

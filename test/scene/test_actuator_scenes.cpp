@@ -78,10 +78,15 @@ commands:
   EXPECT_EQ(world.commands[0].start, 2.5);
 }
 
-TEST(BuildWorld, RefusesWheelsThatHaveMoreInertiaThanTheirBody) {
-  const std::string fault = boxError("    wheels: {yaw: {axis: [0, 0, 1], inertia: 0.2}}\n");
-  EXPECT_EQ(fault.substr(0, kAtBox.size()), kAtBox);
-  EXPECT_NE(fault.find("positive definite"), std::string::npos) << fault;
+// Else kinetic energy could be negative.
+TEST(BuildWorld, RefusesWhatSpinsWithMoreInertiaThanItsBody) {
+  const std::string rotor = "left: {turns: ccw, thrust: 0, time_constant: 1, inertia: 0.2}";
+  for (const std::string& actuators :
+       {std::string("wheels: {yaw: {axis: [0, 0, 1], inertia: 0.2}}"), "rotors: {" + rotor + "}"}) {
+    const std::string fault = boxError("    " + actuators + "\n");
+    EXPECT_EQ(fault.substr(0, kAtBox.size()), kAtBox);
+    EXPECT_NE(fault.find("must be positive definite without theirs"), std::string::npos) << fault;
+  }
 }
 
 TEST(Quadrotor, HoversByItself) {

@@ -1,12 +1,12 @@
 #include <cmath>
 #include <set>
-#include <sstream>
 
 #include <rigid_body_sim/dynamics/actuator.hpp>
 #include <rigid_body_sim/dynamics/state.hpp>
 #include <rigid_body_sim/mass/principal_axes.hpp>
 
 #include "dynamics/actuators/lag.hpp"
+#include "math/shortest.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -40,8 +40,9 @@ bool isDirection(const Vector3d& v) { return v.allFinite() && std::abs(v.norm() 
 
 bool isNotNegative(double x) { return x >= 0 && std::isfinite(x); }
 
-/// Beyond, exponentials overflow or die away within a rounding of the time.
-bool isTimeConstant(double T) { return T == 0 || (T >= 1e-9 && T <= 1e9); }
+bool isTimeConstant(double T) {
+  return T == 0 || (T >= kLeastTimeConstant && T <= kGreatestTimeConstant);
+}
 
 constexpr const char* kTimeConstantRule = "time_constant must be 0 or from 1e-9 to 1e9 s";
 
@@ -102,6 +103,19 @@ Matrix3d withoutWheels(const std::vector<Actuator>& actuators, Matrix3d I_Bcm) {
   return I_Bcm;
 }
 
+namespace {
+
+/// What is left of a body's inertia when nothing in it can spin by itself.
+Matrix3d withoutSpinning(const std::vector<Actuator>& actuators, const Matrix3d& I_Bcm) {
+  Matrix3d I_r = withoutWheels(actuators, I_Bcm);
+  for (const Actuator& actuator : actuators)
+    if (const auto* rotor = std::get_if<Rotor>(&actuator.kind))
+      I_r -= rotor->inertia * rotor->direction_B * rotor->direction_B.transpose();
+  return I_r;
+}
+
+}  // namespace
+
 std::string actuatorsFault(const std::vector<Actuator>& actuators, const Matrix3d& I_Bcm) {
   std::set<std::string> names;
   for (const Actuator& actuator : actuators) {
@@ -114,15 +128,11 @@ std::string actuatorsFault(const std::vector<Actuator>& actuators, const Matrix3
     if (!(actuator.least <= actuator.greatest))
       return who + "limits must be two numbers that ascend";
   }
-  const Matrix3d I_r = withoutWheels(actuators, I_Bcm);
-  const double least = principalAxes(I_r).I(0), scale = I_Bcm.cwiseAbs().maxCoeff();
-  if (least > 1e-15 * scale) return "";
-  std::ostringstream fault;
-  fault.precision(17);
-  fault << "its inertia without that of the wheels about their axes must be positive definite, "
-           "least principal moment "
-        << least << " kg m^2: `inertia` includes the wheels";
-  return fault.str();
+  const double least = principalAxes(withoutSpinning(actuators, I_Bcm)).I(0);
+  if (least > 1e-15 * I_Bcm.cwiseAbs().maxCoeff()) return "";
+  return "its inertia, which includes wheels and rotors, must be positive definite without theirs "
+         "about their axes, got a least principal moment of " +
+         shortest(least) + " kg m^2";
 }
 
 }  // namespace rigid_body_sim

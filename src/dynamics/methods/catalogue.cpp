@@ -38,7 +38,8 @@ std::string methodsThatSupport(unsigned needs) {
   return names;
 }
 
-void requireSupport(const Method& method, unsigned needs, const std::string& body) {
+void requireSupport(const Method& method, unsigned needs, const std::string& body,
+                    unsigned needs_of_world) {
   if (method.supports(needs)) return;
   const unsigned refused = needs & ~method.supported;
   std::string what = "laws or wrenches that couple bodies";
@@ -49,8 +50,8 @@ void requireSupport(const Method& method, unsigned needs, const std::string& bod
   if (refused & kThrust) what = "motors";
   if (refused & kSpin) what = "wheels and rotors with inertia";
   throw std::invalid_argument("integrator must be auto or support " + what + ", as body '" + body +
-                              "' needs (" + methodsThatSupport(needs) + "), got '" + method.name +
-                              "'");
+                              "' needs (" + methodsThatSupport(needs | needs_of_world) +
+                              "), got '" + method.name + "'");
 }
 
 const Method& methodNamed(const std::string& name) {

@@ -46,8 +46,10 @@ const std::vector<Method>& catalogue();
 /// The names of those that support the needs, for messages: "rk4, dop853".
 std::string methodsThatSupport(unsigned needs);
 
-/// Throws std::invalid_argument, naming the body, where the method does not support its needs.
-void requireSupport(const Method& method, unsigned needs, const std::string& body);
+/// Throws std::invalid_argument where the method does not support the needs of a body; the message
+/// names it and the methods that support all of the world's needs.
+void requireSupport(const Method& method, unsigned needs, const std::string& body,
+                    unsigned needs_of_world = 0);
 
 /// The method of that name. Throws std::invalid_argument that lists the names there are.
 const Method& methodNamed(const std::string& name);

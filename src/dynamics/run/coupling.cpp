@@ -230,14 +230,17 @@ unsigned needsOf(const World& world, const CoupledBodies& group,
 }
 
 void requireSupport(const World& world) {
-  const Method& method = methodNamed(world.solver.integrator);
+  std::vector<std::pair<unsigned, std::size_t>> needs;  // and whose
   for (const PointWrench& wrench : world.wrenches)
-    if (!HeldWrench::holds(wrench))
-      requireSupport(method, kCoupling, world.bodies[wrench.body].name);
-  for (const auto& law : world.laws)
-    requireSupport(method, law->needs(), world.bodies[law->members().front()].name);
-  for (const Body& body : world.bodies)
-    if (!body.actuators.empty()) requireSupport(method, needsOf(actuatorTable(body)), body.name);
+    if (!HeldWrench::holds(wrench)) needs.emplace_back(kCoupling, wrench.body);
+  for (const auto& law : world.laws) needs.emplace_back(law->needs(), law->members().front());
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    if (!world.bodies[i].actuators.empty())
+      needs.emplace_back(needsOf(actuatorTable(world.bodies[i])), i);
+  unsigned all = 0;
+  for (const auto& [need, body] : needs) all |= need;
+  const Method& method = methodNamed(world.solver.integrator);
+  for (const auto& [need, body] : needs) requireSupport(method, need, world.bodies[body].name, all);
 }
 
 }  // namespace rigid_body_sim

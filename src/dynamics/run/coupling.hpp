@@ -14,7 +14,8 @@ namespace rigid_body_sim {
 struct CoupledBodies {
   std::vector<std::size_t> members;  ///< indices in the world, ascending
   std::vector<std::size_t> laws;     ///< indices in World::laws, ascending
-  std::vector<std::size_t> waiting;  ///< contacts and tethers between them that do not act, likewise
+  std::vector<std::size_t>
+      waiting;  ///< contacts and tethers between them that do not act, likewise
 
   bool operator==(const CoupledBodies& other) const {
     return members == other.members && laws == other.laws && waiting == other.waiting;
@@ -80,8 +81,8 @@ std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& law
                                          const std::vector<std::size_t>& bodies,
                                          const std::set<std::size_t>& near = {});
 
-/// What an integrator must support to advance the group (Need); that of contacts and tethers that do not act,
-/// and of actuators, counts where it has to be integrated anyway.
+/// What an integrator must support to advance the group (Need); that of contacts and tethers that
+/// do not act, and of actuators, counts where it has to be integrated anyway.
 unsigned needsOf(const World& world, const CoupledBodies& group,
                  const std::vector<WrenchSchedule>& schedules);
 

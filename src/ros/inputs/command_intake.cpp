@@ -40,7 +40,8 @@ double commandAt(std::size_t i, const std::string& name, const char* own_field,
                  const std::vector<double>& other) {
   std::ostringstream fault;
   if (own.empty())
-    fault << own_field << " must hold a command for '" << name << "', but is empty";
+    fault << own_field << " must hold a command for '" << name << "', but is empty: velocity is of "
+          << "rotors, effort of thrusters and wheels";
   else if (!std::isfinite(own[i]))
     fault << own_field << " of '" << name << "' must be finite, got " << own[i];
   else if (!other.empty() && !(other[i] == 0))

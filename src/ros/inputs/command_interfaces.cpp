@@ -1,6 +1,21 @@
 #include "ros/inputs/command_interfaces.hpp"
 
+#include <vector>
+
+#include <ros/console.h>
+
 namespace rigid_body_sim {
+namespace {
+
+/// A stamp of wall time lies ahead of a simulation that was paused. wait: [s]
+void warnOfWait(double wait, const std::string& what) {
+  constexpr double kLong = 1;  // [s]
+  if (wait > kLong)
+    ROS_WARN_THROTTLE(1, "%s is stamped %.3g s ahead of simulation time: it waits until then",
+                      what.c_str(), wait);
+}
+
+}  // namespace
 
 CommandInterfaces::CommandInterfaces(const ros::NodeHandle& nh, const InputContext& context,
                                      const NodeOptions& options)
@@ -18,8 +33,13 @@ void CommandInterfaces::add(std::size_t body) {
 }
 
 void CommandInterfaces::take(std::size_t body, const sensor_msgs::JointState& message) {
-  context_.apply("command",
-                 [&](double now) { return intake_.take(body, message, context_.origin, now); });
+  const std::string what =
+      "command on " + context_.simulation.world().bodies[body].name + "/command";
+  context_.apply(what.c_str(), [&](double now) {
+    std::vector<CommandInput> commands = intake_.take(body, message, context_.origin, now);
+    warnOfWait(commands.front().command.start - now, what);
+    return commands;
+  });
 }
 
 }  // namespace rigid_body_sim

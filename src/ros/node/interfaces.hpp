@@ -5,8 +5,8 @@
 
 namespace rigid_body_sim {
 
-/// Names as doc/node.md has them: <body>/NAME once for all bodies, ~NAME for those in the node's own
-/// namespace; sorted. node: its full name; bodies: theirs, as topics resolve them.
+/// Names as doc/node.md has them: <body>/NAME once for all bodies, ~NAME for those in the node's
+/// own namespace; sorted. node: its full name; bodies: theirs, as topics resolve them.
 std::vector<std::string> shortNames(const std::vector<std::string>& names, const std::string& node,
                                     const std::vector<std::string>& bodies);
 

@@ -93,7 +93,7 @@ void checkActuators(const Scene& scene, const BodyDef& body) {
   check("rotors", body.actuators.rotors);
   check("wheels", body.actuators.wheels);
   if (!body.actuators.any()) return;
-  // of what a loaded scene may still break, only wheels remain
+  // of what a loaded scene may still break, only inertia remains
   const std::vector<WheelDef>& wheels = body.actuators.wheels;
   const std::string fault = actuatorsFault(actuatorsOf(body.actuators), turningInertia(body));
   if (!fault.empty())

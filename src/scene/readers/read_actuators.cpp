@@ -14,6 +14,14 @@ Vector3d readDirection(const Entry& value) {
   return (v / largest).normalized();
 }
 
+double readTimeConstant(const Entry& value) {
+  const double T = readNumber(value, "s");
+  if (!(T >= kLeastTimeConstant && T <= kGreatestTimeConstant))
+    value.failRule(
+        "must be from 1e-9 to 1e9 s, or left out: then the command takes effect at once");
+  return T;
+}
+
 LimitsDef readLimits(const Entry& value, const std::string& unit) {
   const std::string rule = "must be [lowest, highest] [" + unit + "]";
   const std::vector<Entry> bounds = value.items(rule);
@@ -40,7 +48,7 @@ void readOne(const Entry& entry, ThrusterDef& thruster) {
       {"position", [](const Entry& e, Def& d) { d.position = readVector3(e, "m"); }},
       {"direction", [](const Entry& e, Def& d) { d.direction = readDirection(e); }},
       {"limits", [](const Entry& e, Def& d) { d.limits = readLimits(e, "N"); }},
-      {"time_constant", [](const Entry& e, Def& d) { d.time_constant = readPositive(e, "s"); }},
+      {"time_constant", [](const Entry& e, Def& d) { d.time_constant = readTimeConstant(e); }},
   };
   readMapping(entry, keys, thruster);
 }
@@ -70,7 +78,7 @@ void readOne(const Entry& entry, RotorDef& rotor) {
        [](const Entry& e, Def& d) { d.drag_torque = readNotNegative(e, "N m s^2/rad^2"); }},
       {"inertia", [](const Entry& e, Def& d) { d.inertia = readNotNegative(e, "kg m^2"); }},
       {"limits", [](const Entry& e, Def& d) { d.limits = readLimits(e, "rad/s"); }},
-      {"time_constant", [](const Entry& e, Def& d) { d.time_constant = readPositive(e, "s"); }},
+      {"time_constant", [](const Entry& e, Def& d) { d.time_constant = readTimeConstant(e); }},
       {"speed", [](const Entry& e, Def& d) { d.speed = readNumber(e, "rad/s"); }},
   };
   readMapping(entry, keys, rotor);

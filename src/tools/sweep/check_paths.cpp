@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "scene/message_text.hpp"
 #include "scene/files/number_text.hpp"
+#include "scene/message_text.hpp"
 #include "scene/study/reaches.hpp"
 #include "tools/common/state_at.hpp"
 #include "tools/sweep/sweep_runner.hpp"

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "scene/message_text.hpp"
 #include "scene/files/number_text.hpp"
+#include "scene/message_text.hpp"
 #include "tools/common/gnuplot.hpp"
 
 namespace rigid_body_sim {

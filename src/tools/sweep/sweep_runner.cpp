@@ -5,8 +5,8 @@
 
 #include "dynamics/step_too_long.hpp"
 #include "programs/usage.hpp"
-#include "scene/message_text.hpp"
 #include "scene/files/number_text.hpp"
+#include "scene/message_text.hpp"
 #include "scene/study/read_record.hpp"
 #include "tools/common/state_at.hpp"
 #include "tools/sweep/solved_step.hpp"

@@ -183,6 +183,19 @@ TEST(MotorReference, IntegratorsThatCannotFollowMotorsRefuseThem) {
   }
 }
 
+TEST(MotorReference, IntegratorsAreOfferedThatSupportAllThatTheWorldNeeds) {
+  Bench bench = benchOf(motley(), motleyStart());
+  bench.addSpring({kWorld, {0, 0, 3}}, {0, {0.1, 0, 0}}, {1, 0.1, 1});
+  try {
+    bench.simulation("strang", 0.01);
+    ADD_FAILURE();
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_NE(std::string(refused.what()).find("needs (rk4, dop853), got 'strang'"),
+              std::string::npos)
+        << refused.what();
+  }
+}
+
 // A body with motors that has to be integrated, here for a spring, takes their lag as a function of
 // time at every stage.
 TEST(MotorReference, MotorsActOnABodyOnASpring) {
