@@ -167,7 +167,7 @@ TEST_F(Recorded, InputsThatRemainAtTheEndOfARunAreCounted) {
   EXPECT_EQ(replay.lastStep(), 50U);
   EXPECT_EQ(replay.remaining(), inputs.size());
   replayTo(45, replay, repeated);
-  EXPECT_EQ(replay.remaining(), 3U);
+  EXPECT_EQ(replay.remaining(), 4U);
   replayTo(51, replay, repeated);
   EXPECT_TRUE(replay.isDone());
 }

@@ -1,6 +1,6 @@
 #include <rigid_body_sim/dynamics/buoyancy.hpp>
 
-#include "dynamics/medium/medium_load.hpp"
+#include "dynamics/laws/medium_load.hpp"
 
 namespace rigid_body_sim {
 

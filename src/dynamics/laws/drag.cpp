@@ -3,7 +3,7 @@
 
 #include <rigid_body_sim/dynamics/drag.hpp>
 
-#include "dynamics/medium/medium_load.hpp"
+#include "dynamics/laws/medium_load.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <rigid_body_sim/dynamics/medium_drag.hpp>
 
-#include "dynamics/medium/medium_load.hpp"
+#include "dynamics/laws/medium_load.hpp"
 
 namespace rigid_body_sim {
 namespace {

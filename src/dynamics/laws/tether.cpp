@@ -3,8 +3,8 @@
 
 #include <rigid_body_sim/dynamics/tether.hpp>
 
-#include "dynamics/contact/flight_bound.hpp"
 #include "dynamics/laws/line.hpp"
+#include "dynamics/laws/turning_bound.hpp"
 
 namespace rigid_body_sim {
 namespace {

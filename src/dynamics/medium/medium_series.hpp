@@ -4,7 +4,7 @@
 
 #include <rigid_body_sim/math/types.hpp>
 
-#include "dynamics/medium/medium_load.hpp"
+#include "dynamics/laws/medium_load.hpp"
 #include "dynamics/taylor/taylor_equations.hpp"
 
 namespace rigid_body_sim {

@@ -1,4 +1,4 @@
-#include "dynamics/medium/medium_load.hpp"
+#include "dynamics/laws/medium_load.hpp"
 #include "dynamics/run/group.hpp"
 
 /// What a medium exerts on the body of a group that is solved.

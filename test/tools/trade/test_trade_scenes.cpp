@@ -19,7 +19,8 @@ namespace {
 
 using test::Bench;
 
-/// Those that the independent reference can follow: it knows neither contact nor motors.
+/// Those that the independent reference can follow: it knows neither contact nor motors, media and
+/// tethers.
 std::vector<std::string> shippedScenes() {
   std::vector<std::string> names;
   for (const auto& file : std::filesystem::directory_iterator(RIGID_BODY_SIM_SCENES)) {
@@ -27,7 +28,8 @@ std::vector<std::string> shippedScenes() {
     std::ostringstream text;
     text << std::ifstream(file.path()).rdbuf();
     const auto holds = [&](const char* key) { return text.str().find(key) != std::string::npos; };
-    if (!holds("type: contact") && !holds("commands:"))
+    if (!holds("type: contact") && !holds("type: tether") && !holds("commands:") &&
+        !holds("medium:"))
       names.push_back(file.path().stem().string());
   }
   std::sort(names.begin(), names.end());
