@@ -103,9 +103,10 @@ class LawBuilder {
 }  // namespace
 
 ForceLaws lawsOf(const Scene& scene, const std::vector<Body>& bodies) {
-  const bool drags = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                 [](const BodyDef& body) { return body.drag.any(); });
-  if (scene.forces.empty() && !drags) return {};
+  const bool any_in_medium =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                  [](const BodyDef& body) { return body.drag.any() || body.buoyancy; });
+  if (scene.forces.empty() && !any_in_medium) return {};
   return LawBuilder(scene, bodies).build();
 }
 
