@@ -8,6 +8,7 @@
 #include <rosbag/view.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/Imu.h>
+#include <sensor_msgs/JointState.h>
 
 #include <rigid_body_sim/BodyStates.h>
 #include <rigid_body_sim/Contacts.h>
@@ -15,6 +16,12 @@
 
 namespace rigid_body_sim {
 namespace {
+
+/// Commands and what actuators do are of one type.
+bool isCommandTopic(const std::string& topic) {
+  const std::string name = "/command";
+  return topic.size() >= name.size() && topic.substr(topic.size() - name.size()) == name;
+}
 
 /// The stamp of what a node says of an instant of its run; nothing of any other message. Wall time,
 /// at which messages were recorded, goes on while a run is paused or runs at a pace of its own.
@@ -24,6 +31,8 @@ std::optional<ros::Time> stampOfRun(const rosbag::MessageInstance& message) {
   if (const auto states = message.instantiate<BodyStates>()) return states->header.stamp;
   if (const auto contacts = message.instantiate<Contacts>()) return contacts->header.stamp;
   if (const auto imu = message.instantiate<sensor_msgs::Imu>()) return imu->header.stamp;
+  if (const auto actuators = message.instantiate<sensor_msgs::JointState>())
+    if (!isCommandTopic(message.getTopic())) return actuators->header.stamp;
   if (const auto clock = message.instantiate<rosgraph_msgs::Clock>()) return clock->clock;
   return std::nullopt;
 }

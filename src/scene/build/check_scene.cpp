@@ -95,10 +95,12 @@ void checkActuators(const Scene& scene, const BodyDef& body) {
   if (!body.actuators.any()) return;
   // of what a loaded scene may still break, only inertia remains
   const std::vector<WheelDef>& wheels = body.actuators.wheels;
+  const std::vector<RotorDef>& rotors = body.actuators.rotors;
+  const int line = !wheels.empty()   ? wheels.front().line
+                   : !rotors.empty() ? rotors.front().line
+                                     : body.line;
   const std::string fault = actuatorsFault(actuatorsOf(body.actuators), turningInertia(body));
-  if (!fault.empty())
-    throw SceneError(scene.source, wheels.empty() ? body.line : wheels.front().line,
-                     "body '" + body.name + "': " + fault);
+  if (!fault.empty()) throw SceneError(scene.source, line, "body '" + body.name + "': " + fault);
 }
 
 /// What an IMU publishes has the name of the IMU.
