@@ -77,23 +77,42 @@ bool writeFan(const std::string& fan_csv, std::ostream& script) {
   return any;
 }
 
+/// Between tics, so that three or four stand on an axis: more would overlap where numbers are long.
+double ticStep(const ColumnSummary& column) {
+  const double range = column.greatest - column.least;
+  const double power = std::pow(10, std::floor(std::log10(range / 2)));
+  const double digit = range / 2 / power;
+  return power * (digit < 2 ? 1 : digit < 5 ? 2 : 5);
+}
+
+/// Of the axis of x.
+void setTics(const ColumnSummary& column, std::ostream& script) {
+  if (column.least < column.greatest)
+    script << "set xtics nomirror " << numberText(ticStep(column)) << "\n";
+  else
+    script << "set xtics nomirror autofreq\n";
+}
+
 void plotResult(const SweepSummary& summary, std::size_t k, std::size_t place, std::size_t count,
                 std::ostream& script) {
   const double width = 1.0 / static_cast<double>(count), left = static_cast<double>(place) * width;
   const std::string name = summary.results[k].name;
+  setTics(summary.results[k], script);
   script << "set size " << width << ",0.33\nset origin " << left << ",0.62\n"
          << "set xlabel " << gnuplotText(name) << "\nset ylabel 'runs'\nset yrange [0:*]\n"
          << "plot $histogram" << k << " with boxes lc rgb '#4682b4' notitle\n"
          << "set yrange [*:*]\n";
   const auto most = summary.mostCorrelated(k);
   if (!most) return;
+  setTics(summary.varied[*most], script);
   script << "set origin " << left << ",0.31\nset xlabel "
          << gnuplotText(oneLine(summary.varied[*most].name)) << "\nset ylabel " << gnuplotText(name)
          << "\nplot $points" << k << " with points pt 7 ps 0.25 lc rgb '#4682b4' notitle\n";
 }
 
 void plotFan(const SweepInfo& info, std::ostream& script) {
-  script << "set size 1,0.31\nset origin 0,0\nset xlabel 'time [s]'\nset ylabel "
+  script << "set xtics nomirror autofreq\nset size 1,0.31\nset origin 0,0\nset xlabel 'time "
+            "[s]'\nset ylabel "
          << gnuplotText(info.fan) << "\nset key outside right\n"
          << "plot $fan using 1:2:6 with filledcurves lc rgb '#d6e4f0' title '5 to 95 %', \\\n"
          << "  $fan using 1:3:5 with filledcurves lc rgb '#9dbfdd' title '25 to 75 %', \\\n"
