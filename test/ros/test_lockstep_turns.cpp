@@ -124,4 +124,31 @@ TEST_F(LockstepTurns, AreAtMultiplesOfThePeriod) {
   EXPECT_THROW(Lockstep(twoTopics(0.001), 0.01), ParameterError);
 }
 
+// Time was set back while an answer was on its way.
+TEST_F(LockstepTurns, AnswersToARunThatWasLeftAreDropped) {
+  EXPECT_EQ(takenAt(1), "waits");
+  comes("/b", 1, 1);
+  lockstep.restart();
+  EXPECT_EQ(takenAt(0.2), "waits");
+  comes("/a", 1, 2);  // the answer to the state at 1 s
+  comes("/b", 0.2, 3);
+  EXPECT_EQ(takenAt(0.2), "waits");
+  comes("/a", 0.2, 4);
+  EXPECT_EQ(takenAt(0.2), "/a4 /b3 ");
+  comes("/a", 0.22, 5);
+  comes("/b", 0.22, 6);
+  EXPECT_EQ(takenAt(0.22), "/a5 /b6 ");
+}
+
+TEST_F(LockstepTurns, ComeFromTheStartWhereNoAnswerWasMissingWhenTimeWasSetBack) {
+  comes("/a", 1, 1);
+  comes("/b", 1, 2);
+  EXPECT_EQ(takenAt(1), "/a1 /b2 ");
+  lockstep.restart();
+  EXPECT_EQ(takenAt(1), "waits");
+  comes("/a", 1, 1);
+  comes("/b", 1, 2);
+  EXPECT_EQ(takenAt(1), "/a1 /b2 ");
+}
+
 }  // namespace rigid_body_sim

@@ -143,6 +143,14 @@ TEST(StateFile, IsRefusedWhereItIsNotWhole) {
             "x.state:2: version must be 1, the version that this program reads, got 2");
   EXPECT_EQ(refusal("complete: true\n", ""),
             "x.state: is cut short: its last key, complete, is missing");
+  EXPECT_EQ(refusal("complete: true", "complete: tru").find("x.state:"), 0U);
+  EXPECT_NE(refusal("complete: true", "complete: false").find("must be true"), std::string::npos);
+  const std::size_t at = text.find("\ntime: ") + 1;
+  const std::string time = text.substr(at, text.find('\n', at) - at);
+  for (const char* impossible : {"time: -1", "time: 1e+300"})
+    EXPECT_NE(refusal(time, impossible).find("time must be from 0 to 2^53 time steps [s], got"),
+              std::string::npos)
+        << impossible;
   EXPECT_EQ(refusal("mass: 2", "mass: .nan"),
             "x.state:8: body 'ship': mass must be a finite number [kg], got .nan");
   EXPECT_EQ(refusal("actuator: main", "actuator: side"),

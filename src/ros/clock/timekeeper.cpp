@@ -63,8 +63,12 @@ void Timekeeper::jumpTo(double t, const ros::Time& last_stamp, double h) {
 }
 
 std::string Timekeeper::faultOfJump(double t, const ros::Time& last_stamp) const {
-  if (options_.publish_clock || last_stamp.toSec() > t) return "";
   std::ostringstream fault;
+  if (!origin_.hasStamp(t)) {
+    fault << "the state is at " << t << " s of its run, for which ROS time has no stamp";
+    return fault.str();
+  }
+  if (options_.publish_clock || last_stamp.toSec() > t) return "";
   fault << "the state is at " << t << " s of its run, later than the clock that this node follows, "
         << last_stamp;
   return fault.str();

@@ -61,6 +61,9 @@ void Lockstep::hold(const std::string& topic, const ros::Time& stamp, std::strin
                     Take take) {
   for (Topic& known : topics_) {
     if (known.name != topic || known.last_bytes == bytes) continue;
+    const bool is_stale = known.stale_from && stamp >= *known.stale_from;
+    known.stale_from.reset();  // messages keep their order: whatever comes later is of this run
+    if (is_stale) return;
     known.last_bytes = std::move(bytes);
     known.is_heard = true;
     known.held.push_back({stamp, std::move(take)});
@@ -75,12 +78,16 @@ void Lockstep::begin(const ros::Time& state, Clock::time_point now) {
 }
 
 void Lockstep::restart() {
-  state_.reset();
   for (Topic& topic : topics_) {
+    const bool is_missing = state_ && endOfWait(topic) == topic.held.end();
+    topic.stale_from = is_missing ? state_ : std::nullopt;
+    topic.is_heard =
+        false;  // the state is sent again, should its answer be taken for the stale one
     topic.held.clear();
     topic.last_bytes.clear();
     topic.last_end.reset();
   }
+  state_.reset();
 }
 
 /// The message that ends the wait; the end where it is still to come.

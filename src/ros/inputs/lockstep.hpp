@@ -49,7 +49,8 @@ class Lockstep {
   /// The state with this stamp has been published, and is to be waited for from now on.
   void begin(const ros::Time& state, Clock::time_point now);
 
-  /// The run does not wait any more, and what was held is of another run.
+  /// The run does not wait any more, and what was held is of another run. An answer that is missing
+  /// is on its way still: it is dropped when it comes, else it would answer a state of the new run.
   void restart();
 
   bool isWaiting() const { return state_.has_value(); }
@@ -87,11 +88,12 @@ class Lockstep {
     std::string name;
     bool is_taken = false;
     std::deque<Held> held{};
-    std::string last_bytes{};             // of the last that was held
-    std::optional<ros::Time> last_end{};  // stamp of the message that ended the last wait
-    std::uint32_t publishers = 0;         // when they were last counted
-    bool is_heard = false;                // since the last of them came
-    ros::Subscriber subscriber{};         // where nobody else takes it
+    std::string last_bytes{};               // of the last that was held
+    std::optional<ros::Time> last_end{};    // stamp of the message that ended the last wait
+    std::uint32_t publishers = 0;           // when they were last counted
+    bool is_heard = false;                  // since the last of them came
+    std::optional<ros::Time> stale_from{};  // see restart
+    ros::Subscriber subscriber{};           // where nobody else takes it
   };
 
   template <class Message>

@@ -8,6 +8,7 @@
 #include <rigid_body_sim/scene/state_file.hpp>
 
 #include "math/shortest.hpp"
+#include "scene/limits.hpp"
 #include "scene/state/read_state_body.hpp"
 #include "scene/state/state_format.hpp"
 
@@ -167,6 +168,14 @@ void checkVersion(const Entry& root) {
                      "is cut short: its last key, " + std::string(kLastKey) + ", is missing");
 }
 
+/// Steps are counted from the start of the run.
+double readTime(const Entry& value, const World& world) {
+  const double t = readNumber(value, "s");
+  if (!(t >= 0 && t / world.solver.time_step <= kMaxSteps))
+    value.failRule("must be from 0 to 2^53 time steps [s]");
+  return t;
+}
+
 }  // namespace
 
 State parseState(const std::string& text, const std::string& source, const World& world) {
@@ -175,7 +184,7 @@ State parseState(const std::string& text, const std::string& source, const World
       {"version", [](const Entry&, Whole&) {}, true},
       {"scene", [](const Entry&, Whole&) {}, true},
       {"solver", [](const Entry&, Whole&) {}, true},
-      {"time", [](const Entry& e, Whole& s) { s.value.t = readNumber(e, "s"); }, true},
+      {"time", [](const Entry& e, Whole& s) { s.value.t = readTime(e, s.world); }, true},
       {"bodies", [](const Entry& e, Whole& s) { readBodies(e, s.world, s.index, s.value); }, true},
       {"laws",
        [](const Entry& e, Whole& s) {
@@ -191,7 +200,11 @@ State parseState(const std::string& text, const std::string& source, const World
        },
        true},
       {"near_laws", [](const Entry& e, Whole& s) { s.value.near_laws = readLawIndices(e); }, true},
-      {kLastKey, [](const Entry&, Whole&) {}, true},
+      {kLastKey,
+       [](const Entry& e, Whole&) {
+         if (!readBoolean(e)) e.failRule("must be true");
+       },
+       true},
   };
   ReadContext context;
   context.source = source;
