@@ -27,6 +27,15 @@ BodyState between(const Body& body, const BodyState& a, const BodyState& b, doub
   return state;
 }
 
+/// Whether nothing but a look at the guards shows events. Contact is stepped by its own error
+/// estimates.
+bool needCloseLook(const System& system) {
+  return std::any_of(system.stateful_laws.begin(), system.stateful_laws.end(),
+                     [](const System::StatefulLaw& stateful) {
+                       return stateful.law->guardCount() > 0 && !(stateful.law->needs() & kContact);
+                     });
+}
+
 }  // namespace
 
 void EventSearch::setGuards(const System& system, const SystemState& states,
@@ -47,6 +56,7 @@ bool EventSearch::anyBelow(const System& system, const SystemState& states) {
 /// A time at which a guard is below zero, by what lies between the ends; else the end.
 double EventSearch::suspected(const MotionPiece& piece, const SystemState& at_start,
                               const SystemState& at_end) {
+  if (needCloseLook(piece.system())) return lookedAtClosely(piece, at_start, at_end);
   const double h = piece.end() - piece.start();
   for (const double share : {0.25, 0.5, 0.75}) {
     trial_.laws = at_end.laws;
@@ -57,6 +67,52 @@ double EventSearch::suspected(const MotionPiece& piece, const SystemState& at_st
     if (anyBelow(piece.system(), trial_)) return piece.start() + share * h;
   }
   return piece.end();
+}
+
+/// A time at which a guard is below zero, by the motion itself at quarters of the piece and, where
+/// a guard comes near zero, at eighths and at the vertex of the parabola through the least of these
+/// and its neighbours; else the end.
+double EventSearch::lookedAtClosely(const MotionPiece& piece, const SystemState& at_start,
+                                    const SystemState& at_end) {
+  constexpr std::size_t kParts = 8;
+  const double part = (piece.end() - piece.start()) / kParts;
+  samples_.resize(kParts + 1);
+  setGuards(piece.system(), at_start, samples_.front());
+  setGuards(piece.system(), at_end, samples_.back());
+  const auto isBelowAt = [&](double parts) {
+    piece.at(piece.start() + parts * part, trial_);
+    return anyBelow(piece.system(), trial_);
+  };
+  for (const std::size_t k : {2, 4, 6, 1, 3, 5, 7}) {
+    if (k == 1 && !comeNear({0, 2, 4, 6, 8})) return piece.end();
+    const auto parts = static_cast<double>(k);
+    if (isBelowAt(parts)) return piece.start() + parts * part;
+    samples_[k] = guards_;
+  }
+  for (std::size_t i = 0; i < samples_.front().size(); ++i) {
+    for (std::size_t k = 1; k < kParts; ++k) {
+      const double before = samples_[k - 1][i], here = samples_[k][i], after = samples_[k + 1][i];
+      if (!(here <= before && here <= after && before + after > 2 * here)) continue;
+      const double vertex = 0.5 * (before - after) / (before + after - 2 * here);
+      const double parts = static_cast<double>(k) + vertex;
+      if (isBelowAt(parts)) return piece.start() + parts * part;
+    }
+  }
+  return piece.end();
+}
+
+/// Whether a guard falls below half of its greatest value among those samples.
+bool EventSearch::comeNear(std::initializer_list<std::size_t> samples) const {
+  constexpr double kNear = 0.5;
+  for (std::size_t i = 0; i < samples_.front().size(); ++i) {
+    double least = std::numeric_limits<double>::infinity(), greatest = 0;
+    for (const std::size_t k : samples) {
+      least = std::min(least, samples_[k][i]);
+      greatest = std::max(greatest, samples_[k][i]);
+    }
+    if (least < kNear * greatest) return true;
+  }
+  return false;
 }
 
 double EventSearch::firstEvent(const MotionPiece& piece, const SystemState& at_start,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "dynamics/run/motion_piece.hpp"
@@ -15,8 +16,8 @@ class EventSearch {
 
   /// The instant at which the first guard has just fallen below zero, located to the system's
   /// precision; the end of the piece where none does. at_end: the states there; they become those
-  /// at the instant. What falls below zero and rises again within a quarter of the piece may be
-  /// missed.
+  /// at the instant. What falls below zero and rises again within an eighth of the piece is looked
+  /// for by a parabola through the guard; in contact, what does so within a quarter may be missed.
   double firstEvent(const MotionPiece& piece, const SystemState& at_start, SystemState& at_end);
 
   /// Whether the last firstEvent found one.
@@ -29,10 +30,14 @@ class EventSearch {
   bool anyBelow(const System& system, const SystemState& states);
   double suspected(const MotionPiece& piece, const SystemState& at_start,
                    const SystemState& at_end);
+  double lookedAtClosely(const MotionPiece& piece, const SystemState& at_start,
+                         const SystemState& at_end);
+  bool comeNear(std::initializer_list<std::size_t> samples) const;
 
   bool found_ = false;
   std::vector<double> guards_;
   std::vector<double> scales_;  // of the guards that are below zero at the end; else 0
+  std::vector<std::vector<double>> samples_;  // guards at eighths of the piece
   SystemState trial_;
 };
 

@@ -166,6 +166,22 @@ TEST(Tether, IsTautHoweverShortlyWhateverTheStep) {
   EXPECT_LT(speeds[0], -1 - 1e-6);
 }
 
+// The damper lets go for 22 ms, 0.025 s after a step of 0.1 s has begun.
+TEST(Tether, IsLimpHoweverShortlyWhateverTheStep) {
+  std::vector<double> heights;
+  for (double step : {0.001, 0.1, 0.2, 0.5}) {
+    Bench bench = droppedBall();
+    bench.initial.bodies[0].x_W.z() = -0.5;
+    bench.world.laws = {std::make_shared<Tether>(Spring::End{kWorld, Vector3d::Zero()},
+                                                 Spring::End{0, Vector3d::Zero()},
+                                                 Tether::Constants{200, 3, 1})};
+    Simulation sim = bench.simulation("auto", step);
+    while (sim.time() < 2 - 1e-9) sim.step();
+    heights.push_back(sim.body(0).x_W.z());
+    EXPECT_NEAR(heights.back(), heights.front(), 1e-9) << step;
+  }
+}
+
 // Two bodies in free fall, of which one hangs on a spring: its motion is not known beforehand.
 TEST(Tether, PullsTwoBodiesOfWhichOneIsIntegrated) {
   std::vector<Vector3d> ends;
