@@ -64,6 +64,9 @@ VariedScene::VariedScene(const std::string& text, ReadContext context, const Stu
     : document_(parseYaml(text, context.source)), context_(std::move(context)) {
   scene_ = readScene(document_.root, context_);
   addDefaults(study);
+  // a tolerance that is stated is not the default: with all that is varied in it, the scene is the
+  // same whatever was drawn before
+  if (defaults_added_) scene_ = readScene(document_.root, context_);
   for (const Varied& varied : study.vary) addSlot(varied, study);
   refuseOverlaps(study);
 }
@@ -78,6 +81,7 @@ void VariedScene::addDefaults(const Study& study) {
     node.key = document_.texts.add(key);
     node.line = mapping.line;
     place(value, node);
+    defaults_added_ = true;
   };
   for (const Varied& varied : study.vary) {
     for (const auto& [key, value] : optionalKeys())

@@ -70,6 +70,7 @@ class VariedScene {
   YamlDocument document_;
   ReadContext context_;
   Scene scene_;
+  bool defaults_added_ = false;
   std::vector<Slot> slots_;
 };
 

@@ -54,6 +54,14 @@ std::string pathFault(const std::vector<std::string>& paths) {
 
 }  // namespace
 
+// A tolerance that is stated bounds series, too: whether it is must not depend on earlier draws.
+TEST(VariedScene, StatesWhatVariesWhateverWasDrawnBefore) {
+  VariedScene scene(kVariedScene, contextOf("scene.yaml"), studyVarying({"tolerance"}));
+  EXPECT_TRUE(scene.read().tolerance_stated);
+  scene.set(0, scene.own(0));
+  EXPECT_TRUE(scene.scene().tolerance_stated);
+}
+
 TEST(VariedScene, SetsValuesAsIfTheyStoodInTheFile) {
   const std::vector<std::string> paths = {"bodies.box.mass",       "bodies.box.twist.angular[2]",
                                           "bodies.ball.density",   "forces[0].stiffness",
