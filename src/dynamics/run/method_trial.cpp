@@ -80,12 +80,11 @@ class Trial {
     return run;
   }
 
-  /// The worst error of attitude [rad], and of position relative to the path flown or, of a body
-  /// that has moved less, to its radius of gyration, as a share of the tolerance.
+  /// The worst error of attitude [rad], and of position relative to the path flown, as a share of
+  /// the tolerance.
   double error(const Track& track, const Track& truth) const {
     double worst = 0;
     for (std::size_t k = 0; k < group_.members.size(); ++k) {
-      const double size = radiusOfGyration(world_.bodies[group_.members[k]]);
       double path = 0;
       BodyState last = start_states_[k];
       for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -95,7 +94,7 @@ class Trial {
         const double gap = std::max(0.0, apart - rounding_[group_.members[k]]);
         const double attitude = angleBetween(track[i][k].q_WP, truth[i][k].q_WP);
         if (!std::isfinite(apart + attitude)) return std::numeric_limits<double>::infinity();
-        worst = std::max({worst, attitude, gap / std::max(path, size)});
+        worst = std::max({worst, attitude, path > 0 ? gap / path : gap});
       }
     }
     return worst / tolerance_;

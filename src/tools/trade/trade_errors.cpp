@@ -29,11 +29,12 @@ double angularMomentumScale(const Body& body, std::size_t index, const std::vect
   return scale;
 }
 
-/// rounding [m]: of the body's place.
-void addErrorsOfBody(const Body& of, std::size_t body, double rounding,
+/// rounding [m]: of the body's place; g [m/s²].
+void addErrorsOfBody(const Body& of, std::size_t body, double rounding, double g,
                      const std::vector<State>& track, const std::vector<State>& truth,
                      Errors& worst) {
   const double L_scale = angularMomentumScale(of, body, truth);
+  constexpr double kRounding = 1e-15;  // some units in the last place
   const double size = radiusOfGyration(of);
   double path = 0;
   for (std::size_t k = 1; k < truth.size(); ++k) {
@@ -41,8 +42,11 @@ void addErrorsOfBody(const Body& of, std::size_t body, double rounding,
     const BodyState& b = truth[k].bodies[body];
     path += distanceBetween(b, truth[k - 1].bodies[body]);
     raise(worst.attitude, angleBetween(a.q_WP, b.q_WP));
-    const double gap = std::max(0.0, distanceBetween(a, b) - rounding);
-    raise(worst.position, relative(gap, std::max(path, size)));
+    // forces that cancel, as of one that hovers, leave an acceleration of their rounding
+    const double t = truth[k].t - truth.front().t;
+    const double noise = kRounding * (size + 0.5 * g * t * t);
+    const double gap = std::max(0.0, distanceBetween(a, b) - rounding - noise);
+    raise(worst.position, relative(gap, path));
     raise(worst.angular_momentum, relative((a.L_W - b.L_W).norm(), L_scale));
   }
 }
@@ -70,7 +74,7 @@ Errors errorsOf(const World& world, const std::vector<State>& track,
   const std::vector<double> rounding = positionRounding(world, truth.front().bodies, {});
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
     if (!world.bodies[i].fixed)
-      addErrorsOfBody(world.bodies[i], i, rounding[i], track, truth, worst);
+      addErrorsOfBody(world.bodies[i], i, rounding[i], world.g_W.norm(), track, truth, worst);
   double scale = fallEnergy(world);
   for (const State& state : truth) scale = std::max(scale, kineticEnergyOfAll(world, state));
   for (std::size_t k = 1; k < truth.size(); ++k)

@@ -19,10 +19,11 @@ struct Errors {
 };
 
 /// The errors of a track against the truth: states at the same instants, the first of both the
-/// initial state. Nobody can tell how far a body that hovers has strayed by the length of its path,
-/// which is rounding: the scale of its position is its radius of gyration at least, that of the
-/// energy what the bodies gain by falling so far, that of its angular momentum what it has without
-/// its wheels. A quantity whose scale is zero counts as it is.
+/// initial state. What rounding of a body's size, and of forces that cancel its weight, makes of
+/// its place is no error: the path of one that hovers is no longer than that. The scale of the
+/// energy is at least what the bodies gain by falling by their radii of gyration, that of an
+/// angular momentum at least what the body has without its wheels. A quantity whose scale is zero
+/// counts as it is.
 Errors errorsOf(const World& world, const std::vector<State>& track,
                 const std::vector<State>& truth);
 

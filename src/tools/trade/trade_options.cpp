@@ -46,8 +46,7 @@ at 1e-10, of which two runs tell until when the motion can be known at all.
 
 CSV columns: integrator,time_step,attitude_error,position_error,energy_error,
 angular_momentum_error,cpu_ns_per_sim_s,force_evaluations and, with contact, tolerance. Errors are the worst of all bodies and
-instants: attitude [rad]; position relative to the path, or to the radius of gyration of a body that
-has moved less; energy of all bodies relative to their
+instants: attitude [rad]; position relative to the path; energy of all bodies relative to their
 greatest kinetic energy; angular momentum relative to its greatest. Processor time is that of the
 steps, in nanoseconds per simulated second; evaluations are those of the whole run. Rows are written
 as they are measured, so an interrupted run leaves a valid file. The plot needs gnuplot.

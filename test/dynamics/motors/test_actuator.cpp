@@ -33,9 +33,10 @@ TEST(Actuator, FaultsAreNamed) {
   EXPECT_EQ(faultWith(named("r", rotor)), "");
   EXPECT_EQ(faultWith(named("w", wheelAlong({1, 0, 0}, 0))),
             "actuator 'w': inertia must be > 0 kg m^2 and finite");
-  EXPECT_EQ(faultWith(named("w", wheelAlong({1, 0, 0}, 1.5))),
-            "its inertia without that of the wheels about their axes must be positive definite, "
-            "least principal moment -0.5 kg m^2: `inertia` includes the wheels");
+  EXPECT_EQ(
+      faultWith(named("w", wheelAlong({1, 0, 0}, 1.5))),
+      "its inertia, which includes wheels and rotors, must be positive definite without theirs "
+      "about their axes, got a least principal moment of -0.5 kg m^2");
   Actuator limited = named("w", wheelAlong({1, 0, 0}, 0.5));
   limited.least = 1;
   limited.greatest = -1;
