@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -154,9 +155,7 @@ TEST_F(Recorded, StateInBodyAxesIsReadFromAnOlderRecord) {
   ASSERT_EQ(set.kind, Input::SET_STATE);
   EXPECT_EQ(set.frame, "world");
   const SetState::Request request = poseAndTwist();
-  set.frame = request.frame;
-  set.pose = request.pose;
-  set.twist = request.twist;
+  std::tie(set.frame, set.pose, set.twist) = std::tie(request.frame, request.pose, request.twist);
   expectRepeated(replayOf(inputs), 60);
 }
 
@@ -287,12 +286,11 @@ TEST_F(Recorded, StepThatGoesBackIsRefused) {
 
 TEST_F(Recorded, RunOfAnotherSceneIsRefusedBeforeItBegins) {
   wholeRun();
-  std::string other_step = kScene;
+  std::string other_step = kScene, other_body = kScene;
   other_step.replace(other_step.find("0.01"), 4, "0.02");
   EXPECT_NE(fault(other_step).find("input 1: was taken over after step 5 at 0.05"),
             std::string::npos)
       << fault(other_step);
-  std::string other_body = kScene;
   other_body.replace(other_body.find("name: box"), 9, "name: bxo");
   EXPECT_NE(fault(other_body).find("input 0: unknown body 'box'"), std::string::npos);
   inputs[3].kind = 200;

@@ -54,6 +54,13 @@ inline std::size_t addBall(Bench& bench, double radius, double mass, const BodyF
   return ball;
 }
 
+/// Contact between two balls of a bench.
+inline void letTouch(Bench& bench, std::size_t a, double radius_a, std::size_t b, double radius_b,
+                     const ContactParameters& parameters) {
+  bench.world.laws.push_back(contactOfBalls(bench.world.bodies, a, ballShape(radius_a), b,
+                                            ballShape(radius_b), parameters));
+}
+
 /// The same of a box by its corners.
 inline std::size_t addBox(Bench& bench, const Vector3d& size, double mass,
                           const BodyFrameMotion& motion, const HalfSpace& plane,

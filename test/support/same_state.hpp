@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include <rigid_body_sim/dynamics/state.hpp>
+#include <rigid_body_sim/dynamics/simulation.hpp>
 
 /// States that agree to the last bit in everything from which a run goes on.
 namespace rigid_body_sim::test {
@@ -56,6 +57,7 @@ inline void expectSameActuator(const ActuatorState& a, const ActuatorState& b) {
 inline void expectSamePlan(const MotionPlan& a, const MotionPlan& b) {
   EXPECT_EQ(a.bodies, b.bodies);
   EXPECT_EQ(a.laws, b.laws);
+  EXPECT_EQ(a.waiting_laws, b.waiting_laws);
   EXPECT_EQ(a.integrator, b.integrator);
   EXPECT_EQ(a.substeps, b.substeps);
   EXPECT_EQ(a.by_estimates, b.by_estimates);
@@ -89,6 +91,21 @@ inline void expectSameState(const State& a, const State& b) {
   ASSERT_EQ(a.plans.size(), b.plans.size());
   for (std::size_t i = 0; i < a.plans.size(); ++i) expectSamePlan(a.plans[i], b.plans[i]);
   EXPECT_EQ(a.near_laws, b.near_laws);
+}
+
+/// A run taken up from its own state after that many steps has the bits of the whole, 50 steps on.
+inline void expectToGoOnTheSame(Simulation whole, const std::vector<std::int64_t>& cuts) {
+  for (std::int64_t cut : cuts) {
+    SCOPED_TRACE(cut);
+    while (whole.steps() < cut) whole.step();
+    Simulation rest(whole.world(), whole.state());
+    Simulation copy = whole;
+    for (int i = 0; i < 50; ++i) {
+      copy.step();
+      rest.step();
+    }
+    expectSameState(rest.state(), copy.state());
+  }
 }
 
 }  // namespace rigid_body_sim::test

@@ -131,6 +131,10 @@ class ForceLaw {
     setRates(at, rates);
   }
 
+  /// Whether these finite values can be its own states: it may be given those of a file, and some
+  /// tell in which of its modes it is.
+  virtual bool admits(const double* /*own*/) const { return true; }
+
   /// Events: a step ends at the instant at which one of the guards, positive before, falls below
   /// zero; it is located to rounding of the motion. Then switchMode changes the law's own states so
   /// that no guard is below zero in the mode that begins.

@@ -57,6 +57,7 @@ class MediumDrag final : public ForceLaw {
 
   std::size_t stateCount() const override { return 6; }
   void setStart(double* own) const override;
+  bool admits(const double* own) const override;
   std::size_t guardCount() const override { return coefficients_.quadratic.axes.isZero(0) ? 0 : 3; }
   void setGuards(const Bodies& at, double* guards) const override;
   void switchMode(std::size_t guard, const Bodies& at, double* own) const override;

@@ -48,6 +48,9 @@ class Tether final : public ForceLaw {
   double reach(const Bodies& at) const override;
 
   std::size_t stateCount() const override { return 1; }
+  bool admits(const double* own) const override {
+    return own[0] == kSlack || own[0] == kTaut || own[0] == kLimp;
+  }
   std::size_t guardCount() const override { return 2; }
   void setGuards(const Bodies& at, double* guards) const override;
   void switchMode(std::size_t guard, const Bodies& at, double* own) const override;

@@ -165,6 +165,12 @@ void BallContact::setRateOf(const Now& now, const double* own, double* rates) co
   std::copy_n(rate.data(), 3, rates + kStretch);
 }
 
+bool BallContact::admits(const double* own) const {
+  for (std::size_t pair = 0; pair < pairCount(); ++pair)
+    if (!isSumOfBits(own[pair * kOwnCount + kMode], 2 * kSlips - 1)) return false;
+  return true;
+}
+
 void BallContact::setRates(const Bodies& at, double* rates) const {
   std::fill_n(rates, stateCount(), 0.0);
   forTouching(at, at.own, [&](std::size_t pair, const Now& now, const double* own) {

@@ -31,6 +31,7 @@ class BallContact final : public ContactLaw {
   double reach(const Bodies& at) const override;
 
   std::size_t stateCount() const override { return pairCount() * kOwnCount; }
+  bool admits(const double* own) const override;
   void setRates(const Bodies& at, double* rates) const override;
   std::size_t guardCount() const override { return pairCount() * kGuardCount; }
   void setGuards(const Bodies& at, double* guards) const override;

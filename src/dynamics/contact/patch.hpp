@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/contact/contact_law.hpp"
 #include "dynamics/contact/feature.hpp"
 #include "dynamics/contact/normal_law.hpp"
 #include "dynamics/contact/swings.hpp"
@@ -32,6 +33,7 @@ class Patch {
   /// Modes. Bit j: point j touches; 4 + j: it would pull; then: the bristles slip.
   enum Mode : unsigned { kTouches = 1, kClips = 16, kSlips = 256, kSpins = 512, kRolls = 1024 };
   static unsigned modeOf(const double* own) { return static_cast<unsigned>(own[kMode]); }
+  static bool admits(const double* own) { return isSumOfBits(own[kMode], 2 * kRolls - 1); }
   static bool touches(unsigned mode) { return (mode & 15U) != 0; }
 
   /// Place of the body against the plane.

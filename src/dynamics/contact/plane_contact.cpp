@@ -81,6 +81,12 @@ double PlaneContact::rate(const Bodies& at, const std::vector<double>& /*speeds*
 
 double PlaneContact::reach(const Bodies& at) const { return std::abs(poseOf(at).height) + reach_; }
 
+bool PlaneContact::admits(const double* own) const {
+  for (std::size_t k = 0; k < patches_.size(); ++k)
+    if (!Patch::admits(own + k * Patch::kOwnCount)) return false;
+  return true;
+}
+
 void PlaneContact::setRates(const Bodies& at, double* rates) const {
   const Patch::Pose pose = poseOf(at);
   for (std::size_t i = 0; i < patches_.size(); ++i)

@@ -24,6 +24,7 @@ class PlaneContact final : public ContactLaw {
   double reach(const Bodies& at) const override;
 
   std::size_t stateCount() const override { return patches_.size() * Patch::kOwnCount; }
+  bool admits(const double* own) const override;
   void setRates(const Bodies& at, double* rates) const override;
   std::size_t guardCount() const override { return guard_count_; }
   void setGuards(const Bodies& at, double* guards) const override;

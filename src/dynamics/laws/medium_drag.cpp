@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <rigid_body_sim/dynamics/medium_drag.hpp>
 
@@ -90,6 +91,10 @@ void MediumDrag::setStart(double* own) const {
     own[i] = medium_W_[i];
     own[3 + i] = 1;
   }
+}
+
+bool MediumDrag::admits(const double* own) const {
+  return std::all_of(own + 3, own + 6, [](double sign) { return std::abs(sign) == 1; });
 }
 
 void MediumDrag::setGuards(const Bodies& at, double* guards) const {

@@ -42,6 +42,16 @@ void checkSchedules(const World& world, const State& state) {
   }
 }
 
+void checkLawStates(const World& world, const State& state) {
+  const double* own = state.laws.data();
+  for (std::size_t law = 0; law < world.laws.size() && !state.laws.empty(); ++law) {
+    require(world.laws[law]->stateCount() == 0 || world.laws[law]->admits(own),
+            "law " + std::to_string(law) + " (" + world.laws[law]->name() +
+                "): its states must tell one of its modes");
+    own += world.laws[law]->stateCount();
+  }
+}
+
 /// Plans form groups: each body that moves must be in one, with laws between its bodies only.
 void checkPlans(const World& world, const State& state) {
   std::vector<int> times(world.bodies.size());
@@ -83,6 +93,10 @@ void checkAnchors(const World& world, const State& state) {
 }  // namespace
 
 void checkState(const World& world, const State& state) {
+  const double h = world.solver.time_step, steps = state.t / h;
+  constexpr double kMostSteps = 9007199254740992;  // 2^53: beyond, a double does not count by ones
+  require(steps >= 0 && steps <= kMostSteps && std::abs(steps - std::round(steps)) <= 1e-6,
+          "time must be a multiple of time_step, from 0 to 2^53 of them", state.t);
   require(state.bodies.size() == world.bodies.size(),
           "a state must have as many bodies as its world, " + std::to_string(world.bodies.size()) +
               ", got " + std::to_string(state.bodies.size()));
@@ -93,13 +107,11 @@ void checkState(const World& world, const State& state) {
               ", got " + std::to_string(state.laws.size()));
   for (double own : state.laws)
     require(std::isfinite(own), "states of laws must be finite numbers", own);
+  checkLawStates(world, state);
   checkActuatorStates(world, state);
   checkSchedules(world, state);
   checkAnchors(world, state);
   checkPlans(world, state);
-  const double h = world.solver.time_step, steps = state.t / h;
-  require(std::isfinite(state.t) && std::abs(steps - std::round(steps)) <= 1e-6,
-          "time must be a multiple of time_step", state.t);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
     if (!world.bodies[i].fixed) checkBodyState(world, i, state.bodies[i]);
 }

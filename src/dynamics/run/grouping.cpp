@@ -1,7 +1,6 @@
 #include "dynamics/run/grouping.hpp"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,13 +11,14 @@ namespace {
 /// Throws std::invalid_argument unless each law that acts, and none that does not, belongs to a
 /// group.
 void requireLawsIn(const std::vector<MotionPlan>& plans, const RunState& run) {
-  std::set<std::size_t> planned;
-  for (const MotionPlan& plan : plans) planned.insert(plan.laws.begin(), plan.laws.end());
-  for (std::size_t law = 0; law < run.world->laws.size(); ++law)
-    if (run.acts(law) != (planned.count(law) > 0))
+  std::vector<std::size_t> times(run.world->laws.size());
+  for (const MotionPlan& plan : plans)
+    for (std::size_t law : plan.laws) ++times[law];
+  for (std::size_t law = 0; law < times.size(); ++law)
+    if (times[law] != (run.acts(law) ? 1 : 0))
       throw std::invalid_argument("law " + std::to_string(law) + " (" +
                                   run.world->laws[law]->name() +
-                                  "): a plan must have it as long as it acts");
+                                  "): one plan must have it, once, as long as it acts");
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "ros/inputs/wrench_interfaces.hpp"
 
+#include <map>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "ros/messages/body_index.hpp"
 
@@ -87,7 +90,7 @@ bool WrenchInterfaces::clear(ClearWrenches::Request& request, ClearWrenches::Res
 std::string WrenchInterfaces::take(const std::string& body, const BodyWrench& message) {
   return context_.apply("wrench", [&](double now) {
     std::vector<WrenchInput> inputs{intake_.take(body, message, now)};
-    requireRoom(inputs);
+    requireRoom(inputs, false);
     return inputs;
   });
 }
@@ -97,21 +100,27 @@ std::string WrenchInterfaces::take(const std::vector<AppliedWrench>& messages, b
     std::vector<WrenchInput> inputs =
         is_list ? intake_.take(messages, context_.origin, now)
                 : std::vector<WrenchInput>{intake_.take(messages[0], context_.origin, now)};
-    requireRoom(inputs);
+    requireRoom(inputs, is_list);
     context_.simulation.checkWrenches(inputs);
     return inputs;
   });
 }
 
-void WrenchInterfaces::requireRoom(const std::vector<WrenchInput>& inputs) const {
+void WrenchInterfaces::requireRoom(const std::vector<WrenchInput>& inputs, bool is_list) const {
   const Simulation& simulation = context_.simulation;
-  std::map<std::size_t, std::size_t> added;  // by body
-  for (const WrenchInput& input : inputs) {
-    const std::size_t body = input.wrench.body;
-    if (simulation.replaces(input.slot, input.wrench) ||
-        simulation.wrenchCount(body) + added[body]++ < kMaxWrenches + wrenches_of_scene_[body])
+  std::map<std::size_t, std::size_t> added;                // by body
+  std::set<std::pair<std::size_t, std::string>> replaced;  // slots that the list itself fills
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const PointWrench& wrench = inputs[k].wrench;
+    const std::string& slot = inputs[k].slot;
+    if (simulation.replaces(slot, wrench)) continue;
+    const bool acts_now = !slot.empty() && wrench.start <= simulation.time();
+    if (acts_now && !replaced.emplace(wrench.body, slot).second) continue;
+    if (simulation.wrenchCount(wrench.body) + added[wrench.body]++ <
+        kMaxWrenches + wrenches_of_scene_[wrench.body])
       continue;
-    throw std::invalid_argument("body '" + simulation.world().bodies[body].name +
+    throw std::invalid_argument((is_list ? "wrenches[" + std::to_string(k) + "]: " : "") +
+                                "body '" + simulation.world().bodies[wrench.body].name +
                                 "' must have less than " + std::to_string(kMaxWrenches) +
                                 " wrenches that act or are to come");
   }

@@ -42,7 +42,7 @@ class WrenchInterfaces {
   bool clear(ClearWrenches::Request& request, ClearWrenches::Response& response);
   std::string take(const std::string& body, const BodyWrench& message);
   std::string take(const std::vector<AppliedWrench>& messages, bool is_list);
-  void requireRoom(const std::vector<WrenchInput>& inputs) const;
+  void requireRoom(const std::vector<WrenchInput>& inputs, bool is_list) const;
 
   ros::NodeHandle nh_;
   InputContext context_;

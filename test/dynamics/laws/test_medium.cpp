@@ -10,6 +10,7 @@
 
 #include "dynamics/methods/catalogue.hpp"
 #include "support/random_bodies.hpp"
+#include "support/same_state.hpp"
 #include "support/worlds.hpp"
 
 /// Bodies in a medium: closed forms, and what every such motion keeps.
@@ -259,18 +260,7 @@ TEST(MediumDrag, IsTheSameInEveryDirectionWhereItSaysSo) {
 }
 
 TEST(Medium, GoesOnFromAStateWithTheSameBits) {
-  Simulation whole = everythingInMedium(1).simulation("auto", 0.01);
-  for (int cut : {3, 40, 80}) {
-    while (whole.steps() < cut) whole.step();
-    Simulation rest(whole.world(), whole.state());
-    Simulation copy = whole;
-    for (int i = 0; i < 50; ++i) {
-      copy.step();
-      rest.step();
-    }
-    EXPECT_EQ(rest.body(0).x_W, copy.body(0).x_W) << cut;
-    EXPECT_EQ(rest.body(0).q_WP.coeffs(), copy.body(0).q_WP.coeffs()) << cut;
-  }
+  test::expectToGoOnTheSame(everythingInMedium(1).simulation("auto", 0.01), {3, 40, 80});
 }
 
 }  // namespace rigid_body_sim

@@ -227,7 +227,7 @@ TEST(Simulation, RefusesWorldsAndStatesThatBreakARule) {
   EXPECT_EQ(fault([](Bench& b) { b.initial.bodies[1].p_W.x() = NAN; }),
             "body 'b': momenta must be finite");
   EXPECT_EQ(fault([](Bench& b) { b.initial.t = 0.015; }),
-            "time must be a multiple of time_step, got 0.015");
+            "time must be a multiple of time_step, from 0 to 2^53 of them, got 0.015");
   EXPECT_EQ(fault([](Bench& b) { b.world.wrenches = {inAxesOf(7, 0, 0, 1)}; }),
             "wrench on body 'a': no body has the index 7");
   EXPECT_EQ(fault([](Bench& b) {

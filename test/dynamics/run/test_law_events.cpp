@@ -8,6 +8,7 @@
 #include "dynamics/methods/catalogue.hpp"
 #include "support/breaking_spring.hpp"
 #include "support/maxwell_element.hpp"
+#include "support/same_state.hpp"
 #include "support/worlds.hpp"
 
 /// Laws with states of their own and events.
@@ -125,21 +126,8 @@ TEST(BreakingSpring, PartsThePairThatItHeld) {
 
 // A run that is taken up from a state, before and after the event, has the bits of the whole.
 TEST(BreakingSpring, GoesOnFromAStateWithTheSameBits) {
-  for (const char* name : {"dop853", "auto", "strang"}) {
-    Simulation whole = tetheredBall().simulation(name, 0.01);
-    for (int cut : {3, 12, 40}) {
-      while (whole.steps() < cut) whole.step();
-      Simulation rest(whole.world(), whole.state());
-      Simulation copy = whole;
-      for (int i = 0; i < 50; ++i) {
-        copy.step();
-        rest.step();
-      }
-      EXPECT_EQ(rest.state().laws, copy.state().laws) << name << cut;
-      EXPECT_EQ(rest.body(0).x_W, copy.body(0).x_W) << name << cut;
-      EXPECT_EQ(rest.body(0).q_WP.coeffs(), copy.body(0).q_WP.coeffs()) << name << cut;
-    }
-  }
+  for (const char* name : {"dop853", "auto", "strang"})
+    test::expectToGoOnTheSame(tetheredBall().simulation(name, 0.01), {3, 12, 40});
 }
 
 // A string that is slack does not act: its bodies are solved, up to the instant at which it is

@@ -291,7 +291,7 @@ TEST(Load, OfAStateThatIsRefusedChangesNothing) {
             "body 'box2': its anchor must not be of the future");
   EXPECT_EQ(refusalOf([](State& s) { s.plans.pop_back(); }), "body 'box2': it must have one plan");
   EXPECT_EQ(refusalOf([](State& s) { s.plans.back().laws.clear(); }),
-            "law 3 (contact): a plan must have it as long as it acts");
+            "law 3 (contact): one plan must have it, once, as long as it acts");
   EXPECT_EQ(refusalOf([](State& s) { s.plans[0].integrator = "dop854"; }).substr(0, 10),
             "integrator");
   EXPECT_EQ(refusalOf([](State& s) { s.near_laws = {9}; }), "no law has the index 9");

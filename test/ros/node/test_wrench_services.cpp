@@ -116,6 +116,14 @@ TEST_F(WrenchServices, ApplyTakesAListWholeOrNotAtAll) {
   pushReference("box", "tug");
   pushReference("canary", "tug");
   stepBoth(20);
+  // each replaces the one before: they are one
+  call.request.wrenches.assign(1100, lasting("box", "tug"));
+  ASSERT_TRUE(ros::service::call("rigid_body_node/apply_wrenches", call));
+  EXPECT_TRUE(call.response.success) << call.response.message;
+  for (std::size_t i = 0; i < 1100; ++i) call.request.wrenches[i].id = std::to_string(i);
+  ASSERT_TRUE(ros::service::call("rigid_body_node/apply_wrenches", call));
+  EXPECT_EQ(call.response.message.find("wrenches[999]: body 'box' must have less than"), 0U)
+      << call.response.message;
 }
 
 TEST_F(WrenchServices, GoOnFromASavedStateToTheSameBits) {

@@ -203,39 +203,6 @@ TEST(SweepProgram, WritesTheSceneOfARun) {
   EXPECT_EQ(sweep("--run 600 " + command).exit_code, 2);
 }
 
-TEST(SweepProgram, SaysInOneLineWhatIsAtFault) {
-  const TemporaryDirectory files;
-  const std::string scene = files.written("scene.yaml", test::kPushedBall);
-  const auto fault = [&](const std::string& study, const std::string& options = "") {
-    const test::Outcome run = sweep(scene + " " + files.written("bad.yaml", study) + " --out " +
-                                    files.path("out") + " " + options);
-    EXPECT_EQ(run.exit_code, 1) << run.out;
-    EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1) << run.out;
-    return run.out.substr(0, run.out.size() - 1);
-  };
-  const std::string bad = "sweep: " + files.path("bad.yaml");
-  EXPECT_EQ(fault("runs: 2\nvary: {bodies.ball.mass: {list: [1, heavy]}}"),
-            bad + ":2: vary: 'bodies.ball.mass' cannot be heavy: " + scene +
-                ":5: body 'ball': mass must be a number [kg], got heavy");
-  EXPECT_EQ(fault("runs: 2\nvary: {bodies.ball.mass: {normal: {mean: -1, stddev: 1}}}"),
-            bad + ":2: vary: 'bodies.ball.mass' cannot be -1: " + scene +
-                ":5: body 'ball': mass must be > 0 kg, got -1");
-  EXPECT_EQ(fault("runs: 2\nvary: {bodies.bell.mass: {list: [1, 2]}}"),
-            bad + ":2: vary: 'bodies.bell.mass' is not in " + scene +
-                "; the nearest that is: 'bodies.ball.mass'");
-  EXPECT_EQ(fault("runs: 2\nvary: {bodies.ball.mass: {list: [1, 2]}}\nrecord: {a: {max: bell.pz}}"),
-            bad + ":3: record.a: unknown body 'bell' (known: ball); did you mean 'ball'?");
-  EXPECT_EQ(fault("runs: 2\nvary: {integrator: {grid: [auto, rk5]}}")
-                .find(bad + ":2: vary: 'integrator' cannot be rk5: "),
-            0U);
-  files.written("file", "");
-  const std::string good = "runs: 2\nvary: {bodies.ball.mass: {list: [1, 2]}}";
-  const test::Outcome no_directory =
-      sweep(scene + " " + files.written("good.yaml", good) + " --out " + files.path("file"));
-  EXPECT_EQ(no_directory.exit_code, 1);
-  EXPECT_NE(no_directory.out.find(files.path("file")), std::string::npos) << no_directory.out;
-}
-
 TEST(EveryShippedStudy, VariesTheSceneThatItNames) {
   int count = 0;
   for (const auto& file : std::filesystem::directory_iterator(RIGID_BODY_SIM_CONFIG "/studies")) {
@@ -253,32 +220,6 @@ TEST(EveryShippedStudy, VariesTheSceneThatItNames) {
     EXPECT_EQ(run.exit_code, 0) << run.out;
   }
   EXPECT_GE(count, 4);
-}
-
-TEST(SweepProgram, RefusesAPathThatVariesNothing) {
-  const TemporaryDirectory files;
-  const std::string scene = files.written("scene.yaml", R"(time_step: 0.5
-bodies:
-  - {name: ball, shape: {sphere: {radius: 1}}, mass: 1, visual: {color: [1, 0, 0, 1]}}
-  - {name: rock, shape: {sphere: {radius: 1}}, mass: 1, fixed: true, position: [5, 0, 0]}
-)");
-  for (const char* path : {"bodies.ball.visual.color[1]", "bodies.rock.mass"}) {
-    const std::string study = files.written(
-        "study.yaml", "runs: 2\nvary: {'" + std::string(path) + "': {uniform: [0.1, 0.9]}}");
-    const test::Outcome run = sweep(scene + " " + study + " --out " + files.path("out"));
-    EXPECT_EQ(run.exit_code, 1);
-    EXPECT_EQ(run.out.find("sweep: " + study + ":2: vary: '" + path + "' varies nothing"), 0U)
-        << run.out;
-  }
-}
-
-TEST(SweepProgram, ExitsWithTwoForWrongUsage) {
-  for (const char* arguments :
-       {"", "a.yaml", "a.yaml b.yaml c.yaml", "a.yaml b.yaml --runs -5", "a.yaml b.yaml --runs 1e3",
-        "a.yaml b.yaml --threads 0", "a.yaml b.yaml --shard 3/2", "a.yaml b.yaml --shard 0/2",
-        "a.yaml b.yaml --seed x", "merge"})
-    EXPECT_EQ(sweep(arguments).exit_code, 2) << arguments;
-  EXPECT_EQ(sweep("a.yaml b.yaml", "SLURM_ARRAY_TASK_ID=3").exit_code, 2);
 }
 
 TEST(SweepProgram, MergesNothingThatIsNotWhole) {
