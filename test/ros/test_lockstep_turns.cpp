@@ -151,4 +151,13 @@ TEST_F(LockstepTurns, ComeFromTheStartWhereNoAnswerWasMissingWhenTimeWasSetBack)
   EXPECT_EQ(takenAt(1), "/a1 /b2 ");
 }
 
+TEST_F(LockstepTurns, EndWithATopicThatFloodsTheNodeWithoutAnswering) {
+  EXPECT_EQ(takenAt(1), "waits");
+  for (int i = 0; i < 100000; ++i) comes("/a", 0, i);
+  EXPECT_EQ(lockstep.fault(), "");
+  comes("/a", 0, -1);
+  EXPECT_EQ(lockstep.fault().find("lockstep: /a has brought 100000 messages"), 0U);
+  EXPECT_THROW(lockstep.checkPatience(now), std::runtime_error);
+}
+
 }  // namespace rigid_body_sim

@@ -57,6 +57,9 @@ void Lockstep::watchOthers(ros::NodeHandle nh) {
   }
 }
 
+// Bounds the memory that a sender without stamps takes: minutes of its messages.
+constexpr std::size_t kMostHeld = 100000;
+
 void Lockstep::hold(const std::string& topic, const ros::Time& stamp, std::string bytes,
                     Take take) {
   for (Topic& known : topics_) {
@@ -64,6 +67,11 @@ void Lockstep::hold(const std::string& topic, const ros::Time& stamp, std::strin
     const bool is_stale = known.stale_from && stamp >= *known.stale_from;
     known.stale_from.reset();  // messages keep their order: whatever comes later is of this run
     if (is_stale) return;
+    if (known.held.size() >= kMostHeld) {
+      fault_ = "lockstep: " + topic + " has brought " + std::to_string(kMostHeld) +
+               " messages, none of them stamped as an answer to the state at hand";
+      return;
+    }
     known.last_bytes = std::move(bytes);
     known.is_heard = true;
     known.held.push_back({stamp, std::move(take)});
@@ -81,8 +89,8 @@ void Lockstep::restart() {
   for (Topic& topic : topics_) {
     const bool is_missing = state_ && endOfWait(topic) == topic.held.end();
     topic.stale_from = is_missing ? state_ : std::nullopt;
-    topic.is_heard =
-        false;  // the state is sent again, should its answer be taken for the stale one
+    // the state is sent again, should its answer be taken for the stale one
+    topic.is_heard = false;
     topic.held.clear();
     topic.last_bytes.clear();
     topic.last_end.reset();

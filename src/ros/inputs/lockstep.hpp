@@ -73,6 +73,9 @@ class Lockstep {
   /// names the topic, for one longer than the timeout.
   void checkPatience(Clock::time_point now);
 
+  /// Why no message will ever do; empty where nothing is known against it.
+  const std::string& fault() const { return fault_; }
+
   /// How long a caller of ~step may be expected to wait.
   std::chrono::milliseconds patience() const;
 
@@ -110,7 +113,7 @@ class Lockstep {
   std::optional<ros::Time> state_;  // that is waited for
   Clock::time_point begin_;
   bool warned_ = false;  // in this wait
-  std::string fault_;    // of a topic without stamps
+  std::string fault_;    // of a topic
 };
 
 }  // namespace rigid_body_sim

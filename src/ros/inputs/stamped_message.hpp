@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <sstream>
 #include <string>
 
 #include <boost/shared_ptr.hpp>

@@ -99,12 +99,7 @@ std::vector<WrenchInput> WrenchIntake::take(const std::vector<AppliedWrench>& me
                                             const TimeOrigin& origin, double now) {
   std::vector<WrenchInput> inputs;
   for (const AppliedWrench& message : messages) {
-    try {
-      inputs.push_back(take(message, origin, now));
-    } catch (const std::invalid_argument& fault) {
-      throw std::invalid_argument("wrenches[" + std::to_string(inputs.size()) +
-                                  "]: " + fault.what());
-    }
+    withPlace(inputs.size(), [&] { inputs.push_back(take(message, origin, now)); });
   }
   return inputs;
 }

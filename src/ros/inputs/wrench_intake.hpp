@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,16 @@
 #include "ros/messages/conversions.hpp"
 
 namespace rigid_body_sim {
+
+/// Does something with the wrench of that number in a list; what it throws says which it is.
+template <class Action>
+void withPlace(std::size_t number, const Action& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& fault) {
+    throw std::invalid_argument("wrenches[" + std::to_string(number) + "]: " + fault.what());
+  }
+}
 
 /// The slot of an id of AppliedWrench on its body; empty for none. <body>/wrench uses others.
 std::string slotOfId(const std::string& id);

@@ -101,6 +101,8 @@ std::string WrenchInterfaces::take(const std::vector<AppliedWrench>& messages, b
         is_list ? intake_.take(messages, context_.origin, now)
                 : std::vector<WrenchInput>{intake_.take(messages[0], context_.origin, now)};
     requireRoom(inputs, is_list);
+    for (std::size_t k = 0; is_list && k < inputs.size(); ++k)
+      withPlace(k, [&] { context_.simulation.checkWrenches({inputs[k]}); });
     context_.simulation.checkWrenches(inputs);
     return inputs;
   });

@@ -19,11 +19,11 @@ bool SimulationNode::pause(std_srvs::SetBool::Request& request,
                            std_srvs::SetBool::Response& response) {
   if (paused_ && !request.data) {
     time_.restart(outputs_.shownTime());
+    lockstep_.restartPatience(SteadyClock::now());
     outputs_.publishDue();
   }
   // a paused simulation is at a step, unless the clock that it follows has not come so far
   if (!paused_ && request.data && within_step_ && !time_.isAhead(nextTime())) advance();
-  if (paused_ && !request.data) lockstep_.restartPatience(SteadyClock::now());
   paused_ = request.data;
   outputs_.setStanding(paused_ || lockstep_.isWaiting());
   response.success = true;
@@ -67,6 +67,7 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
 std::string SimulationNode::lateMessages() {
   const SteadyClock::time_point patience = SteadyClock::now() + lockstep_.patience();
   while (lockstep_.isWaiting() && stepFault().empty()) {
+    if (!lockstep_.fault().empty()) return lockstep_.fault();
     if (SteadyClock::now() > patience) return "lockstep: " + lockstep_.missing() + " did not come";
     serve(lockstep_.hasAll() ? 0 : Timekeeper::kLongestWait);
     takeInStep();

@@ -72,10 +72,8 @@ TEST_F(OneClock, NoneRunsAheadOfTheOther) {
   const auto isAhead = [&] {
     return of_leader.back().header.stamp > of_follower.back().header.stamp + ros::Duration(0.02);
   };
-  // what is on its way yet comes by then
-  NodeDriver::waitFor(
-      [&] { return of_follower.back().header.stamp >= of_leader.back().header.stamp; }, 0.3);
-  EXPECT_FALSE(isAhead());
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return !isAhead(); }));  // what is on its way has come
+  EXPECT_FALSE(NodeDriver::waitFor(isAhead, 0.3));
   const ros::Time stood = of_leader.back().header.stamp;
   ASSERT_TRUE(pauseFollower(false));
   EXPECT_TRUE(NodeDriver::waitFor(
