@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "math/fnv1a.hpp"
 #include "math/philox.hpp"
 #include "math/wide.hpp"
 
@@ -22,9 +23,9 @@ inline std::uint64_t mixBits(std::uint64_t z) {
 
 /// The key of what is drawn for a name: mix(mix(seed) ^ FNV-1a-64(name)).
 inline std::uint64_t drawKey(std::uint64_t seed, std::string_view name) {
-  std::uint64_t hash = 0xCBF29CE484222325;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-  return mixBits(mixBits(seed) ^ hash);
+  Fnv1a hash;
+  hash.add(name);
+  return mixBits(mixBits(seed) ^ hash.hash());
 }
 
 /// Two independent draws, uniform over (0, 1] and [0, 1), by the words w of Philox at the counter

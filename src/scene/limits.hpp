@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "dynamics/max_steps.hpp"  // kMaxSteps, of a run
+
 namespace rigid_body_sim {
 
 /// What a scene may hold at most. Each limit is far above what is simulated and low enough that any
@@ -21,7 +23,6 @@ constexpr double kMaxImuRate = 1e6;          ///< [Hz]
 constexpr std::size_t kMaxContactPairs = 200000;
 constexpr std::size_t kMaxForces = 200000;
 constexpr std::size_t kMaxCollisionShapes = 10000;  ///< of a body
-constexpr double kMaxSteps = 9007199254740992;  ///< 2⁵³: no double counts on by ones from there
 
 constexpr std::size_t kMaxVariedPaths = 1000;  ///< of a study
 constexpr std::size_t kMaxRecords = 1000;      ///< likewise

@@ -162,6 +162,17 @@ TEST(StateFile, IsRefusedWhereItIsNotWhole) {
     EXPECT_NE(refusalOf(text.substr(0, size), sim.world()), "taken") << size;
 }
 
+// Loading such a text would drop the commands to come.
+TEST(StateFile, IsNotWrittenWithoutSchedulesWhereOnlyCommandsAreScheduled) {
+  const std::string commands = "commands: [{body: ship, actuator: main, value: 3, start: 1}]\n";
+  const Simulation sim = simulationOf(
+      parseScene(kSavedScene.substr(0, kSavedScene.find("wrenches:")) + commands, "scene.yaml"));
+  State state = sim.state();
+  EXPECT_FALSE(stateText(sim.world(), state).empty());
+  state.schedules.clear();
+  EXPECT_THROW(stateText(sim.world(), state), std::invalid_argument);
+}
+
 TEST(StateFile, TakesThePlaceOfAnotherOnlyOnceItIsWritten) {
   const TemporaryDirectory directory;
   const Simulation sim = savedRun();

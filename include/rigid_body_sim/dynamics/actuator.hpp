@@ -17,6 +17,7 @@ namespace rigid_body_sim {
 /// [s] Of the lag of an actuator that has one: beyond, exponentials overflow or die away within a
 /// rounding of the time.
 constexpr double kLeastTimeConstant = 1e-9, kGreatestTimeConstant = 1e9;
+constexpr const char* kTimeConstantRange = "from 1e-9 to 1e9 s";
 
 /// A force e along `direction`:  e' = (u − e)/T, or e = u where there is no time constant. The
 /// command u is in N. It starts at e = 0.

@@ -157,18 +157,20 @@ class ForceLaw {
     return quietUntil(t, at);
   }
 
-  /// Whether quietInFlight goes by the bounds, so that no event is missed while they are known.
-  virtual bool foreseesInFlight() const { return false; }
-
   /// [m] Of a law between two bodies that cannot act while they are far apart: the radius of a
   /// sphere about the centre of mass of members()[k], so that it does not act while the two spheres
   /// are apart. Infinite where there is none.
   virtual double touchRadius(std::size_t k) const;
 
-  /// Whether its own states start anew where the state of one of its bodies is set from outside;
-  /// they are switched then, and at the start of a run, until no guard is below zero. While it does
-  /// not act, an integrator that advances its bodies looks at its guards.
-  virtual bool startsAnew() const { return false; }
+  /// Whether it acts only while its bodies touch or its line is taut, or the like, which follows
+  /// from where they are and how they move. Then its own states start anew where the state of one
+  /// of its bodies is set from outside: they are switched then, and at the start of a run, until no
+  /// guard is below zero. While it does not act, an integrator that advances its bodies looks at
+  /// its guards.
+  ///
+  /// In flight its quietInFlight goes by the bounds, so that no event is missed while they are
+  /// known.
+  virtual bool isOneSided() const { return false; }
 
   /// Whether its wrenches are continuous through every switch of its modes, so that an instant that
   /// is located to 1e-8 of a step costs no accuracy.
@@ -186,7 +188,7 @@ class ForceLaw {
   }
 
   /// Whether it is what a medium exerts on one body, so that its motion can be solved: then
-  /// addMedium adds it to a load.
+  /// addMedium puts it into a load. Of each kind, which is its name(), at most one acts on a body.
   virtual bool isOfMedium() const { return false; }
   virtual void addMedium(const Bodies& /*at*/, MediumLoad& /*load*/) const {}
 

@@ -48,8 +48,8 @@ struct MotionAnchor {
 /// How bodies that act on one another are advanced together.
 struct MotionPlan {
   std::vector<std::size_t> bodies;  ///< indices, ascending
-  /// Indices in World::laws, ascending: of those that act between them, and of contacts between
-  /// them that may begin to.
+  /// Indices in World::laws, ascending: of those that act between them, and of contacts and
+  /// tethers between them that may begin to.
   std::vector<std::size_t> laws, waiting_laws;
   std::string integrator;     ///< a name of the catalogue; empty: the motion is solved
   int substeps = 1;           ///< equal parts in which each time step is taken, at least

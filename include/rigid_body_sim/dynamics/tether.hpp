@@ -55,8 +55,7 @@ class Tether final : public ForceLaw {
   void setGuards(const Bodies& at, double* guards) const override;
   void switchMode(std::size_t guard, const Bodies& at, double* own) const override;
   bool acts(const double* own) const override { return own[0] != kSlack; }
-  bool startsAnew() const override { return true; }
-  bool foreseesInFlight() const override { return true; }
+  bool isOneSided() const override { return true; }
   bool switchesSmoothly() const override { return constants_.damping == 0; }
 
   /// While slack, until the ends could be further apart than the length.

@@ -44,19 +44,21 @@ bool isTimeConstant(double T) {
   return T == 0 || (T >= kLeastTimeConstant && T <= kGreatestTimeConstant);
 }
 
-constexpr const char* kTimeConstantRule = "time_constant must be 0 or from 1e-9 to 1e9 s";
+std::string timeConstantRule() {
+  return std::string("time_constant must be 0 or ") + kTimeConstantRange;
+}
 
 std::string faultOf(const Thruster& thruster) {
   if (!thruster.position_B.allFinite()) return "position must be finite";
   if (!isDirection(thruster.direction_B)) return "direction must be of unit length";
-  if (!isTimeConstant(thruster.time_constant)) return kTimeConstantRule;
+  if (!isTimeConstant(thruster.time_constant)) return timeConstantRule();
   return "";
 }
 
 std::string faultOf(const Rotor& rotor) {
   if (!rotor.position_B.allFinite()) return "position must be finite";
   if (!isDirection(rotor.direction_B)) return "direction must be of unit length";
-  if (!isTimeConstant(rotor.time_constant)) return kTimeConstantRule;
+  if (!isTimeConstant(rotor.time_constant)) return timeConstantRule();
   if (rotor.turns != 1 && rotor.turns != -1) return "turns must be 1 or -1";
   if (!std::isfinite(rotor.thrust) || !std::isfinite(rotor.drag_torque))
     return "thrust and drag_torque must be finite";

@@ -17,8 +17,7 @@ class ContactLaw : public ForceLaw {
   const char* name() const final { return "contact"; }
   unsigned needs() const final { return kCoupling | kDamping | kLawStates | kContact; }
   bool hasRate() const final { return true; }
-  bool startsAnew() const final { return true; }
-  bool foreseesInFlight() const final { return true; }
+  bool isOneSided() const final { return true; }
   bool switchesSmoothly() const final { return true; }
 };
 

@@ -43,8 +43,7 @@ double PlaneFlight::clearFor(const Feature& feature) const {
   if (!(now >= 0)) return 0;
   if (!std::isfinite(bend)) return 0;
   const double closing = std::abs(speed_) + m_dot_P_.norm() * feature.reach();
-  const double guess = now / (closing + std::sqrt(bend * now) + 1e-300);
-  return std::min(lastRoot(gap, std::max(guess, 1e-18)), horizon_);
+  return std::min(lastRoot(gap, firstGuess(now, closing, bend)), horizon_);
 }
 
 double PlaneFlight::clearFor(double reach) const {

@@ -1,17 +1,12 @@
 #include "dynamics/laws/line.hpp"
 
+#include "dynamics/laws/mobility.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
-/// [1/kg] At most how much a force at the end accelerates it, per newton: with r the point,
-///   1/m + Σ |r × eᵢ|²/Iᵢ.
 double mobility(const Spring::End& end, const std::vector<const Body*>& bodies) {
-  if (end.body == kWorld) return 0;
-  const Body& body = *bodies[end.body];
-  double sum = 1 / body.mass;
-  for (int i = 0; i < 3; ++i)
-    sum += end.point.cross(Vector3d::Unit(i)).squaredNorm() * body.inv_I(i);
-  return sum;
+  return end.body == kWorld ? 0 : mobilityAt(*bodies[end.body], end.point);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct Line {
   double rate;           ///< [m/s] of the length; zero where it is not asked for
 };
 
-/// Point of an end from the centre of mass of its body; an end in the world has no arm.
+/// Point of an end from the origin of P of its body; an end in the world has no arm.
 inline Vector3d armOf(const Spring::End& end, const ForceLaw::Bodies& at) {
   if (end.body == kWorld) return Vector3d::Zero();
   return rotate(at.states[end.body].q_WP, end.point);

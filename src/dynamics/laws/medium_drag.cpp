@@ -4,6 +4,7 @@
 #include <rigid_body_sim/dynamics/medium_drag.hpp>
 
 #include "dynamics/laws/medium_load.hpp"
+#include "dynamics/laws/mobility.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -26,13 +27,6 @@ Vector3d dragForce(const MediumDrag::Coefficients& c, const Vector3d& u_P) {
 Vector3d dragTorque(const MediumDrag::Coefficients& c, const Vector3d& w_P) {
   return -c.angular.alike * w_P -
          c.R_PD * c.angular.axes.cwiseProduct(Vector3d(c.R_PD.transpose() * w_P));
-}
-
-/// [1/kg] At most how much a force at the point accelerates it, per newton.
-double mobilityAt(const Body& body, const Vector3d& point_P) {
-  double sum = 1 / body.mass;
-  for (int i = 0; i < 3; ++i) sum += point_P.cross(Vector3d::Unit(i)).squaredNorm() * body.inv_I(i);
-  return sum;
 }
 
 }  // namespace
@@ -98,9 +92,8 @@ bool MediumDrag::admits(const double* own) const {
 }
 
 void MediumDrag::setGuards(const Bodies& at, double* guards) const {
-  constexpr double kRounding = 1e-12;  // a component that is zero changes its sign by rounding
   const Vector3d u_D = coefficients_.R_PD.transpose() * throughMedium(at);
-  const double least = kRounding * u_D.norm();
+  const double least = kZeroShare * u_D.norm();
   for (int i = 0; i < 3; ++i)
     guards[i] = coefficients_.quadratic.axes[i] > 0 ? at.own[3 + i] * u_D[i] + least : 1;
 }

@@ -4,6 +4,11 @@
 
 namespace rigid_body_sim {
 
+/// Of |u|: what a component of u is taken for zero up to. Turning u into the axes of the drag
+/// leaves 1e-16 of it, of any sign, where the component is zero; and the error of taking so small a
+/// component's sign for the other, 1e-24 of the drag, is below rounding.
+constexpr double kZeroShare = 1e-12;
+
 /// What a medium exerts on one body, summed over its laws, in the terms in which it is solved:
 /// with u the velocity through the medium of the centre of drag, u_i its components in the axes of
 /// the drag, A the attitude Rᵀ,

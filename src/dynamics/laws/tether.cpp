@@ -100,8 +100,7 @@ double Tether::quietInFlight(double t, const Bodies& at,
   };
   const double now = room(0);
   if (!(now >= 0) || !std::isfinite(bend)) return t;
-  const double guess = now / (u.norm() + std::sqrt(bend * now) + 1e-300);
-  return std::min(t + lastRoot(room, std::max(guess, 1e-18)), until);
+  return std::min(t + lastRoot(room, firstGuess(now, u.norm(), bend)), until);
 }
 
 }  // namespace rigid_body_sim

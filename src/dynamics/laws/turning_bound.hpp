@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <rigid_body_sim/dynamics/state.hpp>
@@ -31,6 +32,13 @@ double lastRoot(const F& gap, double guess) {
     (gap(middle) >= 0 ? low : high) = std::max(low, middle);
   }
   return low;
+}
+
+/// [s] A guess at the root of `room` − speed τ − ½ bend τ², all >= 0, from which lastRoot searches.
+/// 1e-300 keeps 0/0 out of it where nothing moves; and since lastRoot multiplies the guess until it
+/// is beyond the root, it must not be zero: 1e-18 s is below every rounding of the time.
+inline double firstGuess(double room, double speed, double bend) {
+  return std::max(room / (speed + std::sqrt(bend * room) + 1e-300), 1e-18);
 }
 
 /// How fast the points of a body may leave their tangents, as it turns.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "dynamics/medium/medium_series.hpp"
@@ -107,12 +108,14 @@ class MediumRecursion {
     return s_.signs.cwiseProduct(sum);
   }
 
-  /// By the first coefficient that counts: right after a change of sign the lowest is rounding.
+  /// By the first coefficient that counts: right after a change of sign the lowest is rounding, and
+  /// likewise where the body moves along another axis.
   void findSigns(std::size_t n) {
-    constexpr double kRounding = 1e-12;
+    const double speed = s_.u[0].norm();
     for (int i = 0; i < 3; ++i) {
       const double u = s_.u[n][i];
-      const bool starts_at_zero = n == 1 && std::abs(s_.u[0][i]) <= kRounding * std::abs(u);
+      const bool starts_at_zero =
+          n == 1 && std::abs(s_.u[0][i]) <= kZeroShare * std::max(std::abs(u), speed);
       if (u != 0 && (s_.signs[i] == 0 || starts_at_zero)) s_.signs[i] = u > 0 ? 1 : -1;
     }
   }

@@ -22,7 +22,7 @@ Value gain(const MediumSeries::Of<Value>& series, double s) {
 }
 
 /// How far a series holds to a precision of its size: at the best step successive terms shrink by
-/// e² (Jorba and Zou), which the last but one is allowed.
+/// e² (Jorba and Zou), which the last but one is allowed. Not at all where it overflows.
 template <class Value>
 double lengthOf(const MediumSeries::Of<Value>& series, double precision) {
   const auto size = [&](std::size_t n) { return series[n].cwiseAbs().maxCoeff(); };
@@ -30,6 +30,7 @@ double lengthOf(const MediumSeries::Of<Value>& series, double precision) {
   for (std::size_t n = 0; n < kDegree && (n < 3 || own == 0); ++n) own = std::max(own, size(n));
   own *= precision;
   const double last = size(kDegree), before = size(kDegree - 1);
+  if (!std::isfinite(last) || !std::isfinite(before)) return 0;
   const auto root = [](double x, std::size_t n) { return std::pow(x, 1 / static_cast<double>(n)); };
   double length = last > 0 ? root(own / last, kDegree) : kNoEnd;
   if (before > 0) length = std::min(length, root(7 * own / before, kDegree - 1));
@@ -65,8 +66,7 @@ void MediumSegment::startAnew(const HeldWrench& same_wrench, const BodyState& st
   setUpRate();
   expandMedium(equations_, series_);
 
-  const double theta = std::max(1.0, fastest_ * bound_.horizon);
-  const double share = bound_.attitude / (20 * theta * theta);
+  const double share = shareOf(bound_.attitude, fastest_ * bound_.horizon);
   valid_for_ = length(std::max(std::numeric_limits<double>::epsilon(), share)) / equations_.rate;
 }
 
@@ -152,10 +152,11 @@ double MediumSegment::throughRate(double s, int axis) const {
 
 /// Where a component first changes its sign.
 double MediumSegment::firstSignChange(double longest) const {
+  constexpr double kFar = 1e6;  // of series without an end, whose powers may overflow beyond
   double first = longest;
   for (int axis = 0; axis < 3; ++axis)
     if (equations_.load.quadratic_axes[axis] > 0 && series_.signs[axis] != 0)
-      first = std::min(first, signChange(axis, std::min(first, 1e6), first));
+      first = std::min(first, signChange(axis, std::min(first, kFar), first));
   return first;
 }
 
@@ -165,15 +166,16 @@ double MediumSegment::signChange(int axis, double end, double none) const {
   double others = 0;
   for (std::size_t n = kDegree; --n > 0;) others = end * (std::abs(series_.u[n][axis]) + others);
   if (std::abs(series_.u[0][axis]) > others) return none;
+  const double least = -kZeroShare * series_.u[0].norm();
   constexpr int kSamples = 8;
   constexpr double kStart = 1e-11;  // what starts at zero has left it by then
   double before = kStart * end;
   for (int k = 1; k <= kSamples; ++k) {
     double after = end * k / kSamples;
-    if (through(after, axis) >= 0) after = lowest(axis, before, after);
-    if (through(after, axis) < 0) {
+    if (through(after, axis) >= least) after = lowest(axis, before, after);
+    if (through(after, axis) < least) {
       for (double m = 0.5 * (before + after); m > before && m < after; m = 0.5 * (before + after))
-        (through(m, axis) < 0 ? after : before) = m;
+        (through(m, axis) < least ? after : before) = m;
       return after;
     }
     before = end * k / kSamples;

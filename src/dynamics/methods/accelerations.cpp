@@ -1,6 +1,6 @@
 #include "dynamics/methods/accelerations.hpp"
 
-#include "dynamics/methods/pivot_law.hpp"
+#include "dynamics/methods/pivots.hpp"
 
 namespace rigid_body_sim {
 namespace {

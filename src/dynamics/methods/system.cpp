@@ -1,6 +1,7 @@
 #include "dynamics/methods/system.hpp"
 
 #include "dynamics/actuators/actuator_law.hpp"
+#include "dynamics/methods/pivots.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -44,6 +45,7 @@ void addFlows(const System& system, const SystemState& states, std::vector<Wrenc
 void evaluateWrenches(const System& system, const SystemState& states, Workspace& workspace) {
   evaluate<true>(system, states, workspace);
   addStatefulLaws(system, states, workspace.wrenches);
+  takeUpForces(system, workspace.wrenches);
 }
 
 void evaluateAppliedAndFlows(const System& system, const SystemState& states,
@@ -70,6 +72,7 @@ void evaluateAllWithRates(const System& system, const SystemState& states, Works
     else
       law.setRates(at, of_law);
   }
+  takeUpForces(system, workspace.wrenches);
   addFlows(system, states, workspace.wrenches);
 }
 

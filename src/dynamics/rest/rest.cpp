@@ -58,6 +58,7 @@ std::vector<Stray> straysFrom(const System& system, const Equilibrium& equilibri
 /// What costs little to exclude most states.
 bool RestSearch::mayRest(const System& system, const SystemState& states, double fastest) const {
   if (system.bodies.size() > kMostBodies || !system.coupled.empty()) return false;
+  if (!system.pivots.empty()) return false;  // the equilibrium is that of bodies that may move
   if (!std::all_of(system.held.begin(), system.held.end(), isConservative)) return false;
   for (std::size_t k = 0; k < system.bodies.size(); ++k) {
     const Body& body = *system.bodies[k];

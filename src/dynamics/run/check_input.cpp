@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <rigid_body_sim/dynamics/drag.hpp>
 
@@ -29,7 +30,13 @@ void checkLawOnPivot(const ForceLaw& law, const std::string& who) {
               "linear and quadratic drag as MediumDrag alone");
 }
 
-void checkLaw(const World& world, const ForceLaw& law, std::set<std::size_t>& with_flow) {
+/// What a body has one of at most.
+struct TakenPlaces {
+  std::set<std::size_t> flow;                            // bodies
+  std::set<std::pair<std::size_t, std::string>> medium;  // bodies and kinds of laws
+};
+
+void checkLaw(const World& world, const ForceLaw& law, TakenPlaces& taken) {
   const std::string name = std::string("law '") + law.name() + "': ";
   const std::vector<std::size_t> members = law.members();
   require(!members.empty(), name + "it must act on a body");
@@ -40,7 +47,9 @@ void checkLaw(const World& world, const ForceLaw& law, std::set<std::size_t>& wi
     if (world.bodies[body].pivoted)
       checkLawOnPivot(law, name + "body '" + world.bodies[body].name + "'");
   }
-  require(!law.hasFlow() || with_flow.insert(members.front()).second,
+  const bool is_free = !law.hasFlow() || taken.flow.insert(members.front()).second;
+  require(is_free && (!law.isOfMedium() ||
+                      taken.medium.insert({members.front(), std::string(law.name())}).second),
           name + "body '" + world.bodies[members.front()].name + "' has one already");
 }
 
@@ -81,8 +90,8 @@ void checkWorld(const World& world) {
     require(body.fixed || (isPositive(body.mass) && (body.I.array() > 0).all() &&
                            body.I.allFinite() && body.inv_I.allFinite()),
             "body '" + body.name + "': mass and principal moments must be > 0 and finite");
-  std::set<std::size_t> with_flow;
-  for (const auto& law : world.laws) checkLaw(world, *law, with_flow);
+  TakenPlaces taken;
+  for (const auto& law : world.laws) checkLaw(world, *law, taken);
   for (const PointWrench& wrench : world.wrenches) checkWrench(world, wrench);
   for (const Body& body : world.bodies) checkActuators(body);
   for (const ActuatorCommand& command : world.commands) checkCommand(world, command);

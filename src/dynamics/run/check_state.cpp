@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "dynamics/max_steps.hpp"
 #include "dynamics/run/check_input.hpp"
 #include "dynamics/run/require.hpp"
 
@@ -94,8 +95,7 @@ void checkAnchors(const World& world, const State& state) {
 
 void checkState(const World& world, const State& state) {
   const double h = world.solver.time_step, steps = state.t / h;
-  constexpr double kMostSteps = 9007199254740992;  // 2^53: beyond, a double does not count by ones
-  require(steps >= 0 && steps <= kMostSteps && std::abs(steps - std::round(steps)) <= 1e-6,
+  require(steps >= 0 && steps <= kMaxSteps && std::abs(steps - std::round(steps)) <= 1e-6,
           "time must be a multiple of time_step, from 0 to 2^53 of them", state.t);
   require(state.bodies.size() == world.bodies.size(),
           "a state must have as many bodies as its world, " + std::to_string(world.bodies.size()) +

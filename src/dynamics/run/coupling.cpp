@@ -112,7 +112,7 @@ void addWaiting(const World& world, const LawTable& laws, const std::vector<doub
   for (std::size_t body : group.members) {
     for (std::size_t index : laws.of(body)) {
       const ForceLaw& law = *world.laws[index];
-      if (!law.startsAnew() || law.acts(law_states.data() + laws.firstState(index))) continue;
+      if (!law.isOneSided() || law.acts(law_states.data() + laws.firstState(index))) continue;
       const std::vector<std::size_t> members = law.members();
       if (members.front() == body && std::all_of(members.begin(), members.end(), isHere))
         group.waiting.push_back(index);
@@ -143,7 +143,7 @@ LawTable::Constant LawTable::constantOf(const World& world) {
     constant.first_state.push_back(constant.state_count);
     constant.state_count += law.stateCount();
     if (law.needs() & kContact) constant.contacts.push_back(i);
-    if (law.startsAnew()) constant.one_sided.push_back(i);
+    if (law.isOneSided()) constant.one_sided.push_back(i);
     if (law.guardCount() > 0 && std::isfinite(law.touchRadius(0))) {
       constant.of_pairs.push_back(i);
       continue;

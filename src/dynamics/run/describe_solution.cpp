@@ -5,7 +5,7 @@
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 
-#include "dynamics/methods/pivot_law.hpp"
+#include "dynamics/methods/pivots.hpp"
 #include "dynamics/rotation/free_top.hpp"
 
 namespace rigid_body_sim {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "dynamics/methods/pivot_law.hpp"
+#include "dynamics/methods/pivots.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -63,15 +63,10 @@ void Group::addLaws(const World& world, const std::vector<std::size_t>& laws, co
   }
 }
 
-/// After all laws whose forces a pivot takes up; motors have none on a body on a pivot.
 void Group::addPivots(const World& world) {
   for (std::size_t k = 0; k < system_.bodies.size(); ++k)
     if (system_.bodies[k]->pivoted) system_.pivots.push_back({k, world.g_W});
-  if (system_.pivots.empty()) return;
-  if (system_.bodies.size() == 1) system_.g_W.setZero();
-  if (!solved_choice_.method) return;  // solved without any force
-  system_.stateful_laws.push_back(
-      {std::make_shared<const PivotLaw>(system_.pivots), present_.laws.size()});
+  if (!system_.pivots.empty() && system_.bodies.size() == 1) system_.g_W.setZero();
 }
 
 void Group::putLawStates(const LawTable& table, std::vector<double>& law_states) const {

@@ -56,7 +56,7 @@ bool LawWatch::gatherBounds(const Bound& bound) {
 std::optional<double> LawWatch::firstEvent(double t, double t_end, const double* own,
                                            const Motion& motion, const Bound& bound) {
   if (t_end < quiet_until_) return std::nullopt;
-  if (compact_law_->foreseesInFlight() && gatherBounds(bound)) {
+  if (compact_law_->isOneSided() && gatherBounds(bound)) {
     const double bounded = std::min(t_end, boundedUntil());
     const std::optional<double> event = certifiedEvent(t, bounded, own, motion);
     if (event || bounded == t_end) return event;

@@ -103,7 +103,6 @@ void LawWatches::findQuiet(const RunState& run) {
   forWatches([&](const LawWatch& watch) {
     if (isWatched(watch, run)) quiet_until_ = std::min(quiet_until_, watch.quietUntil());
   });
-  if (!near_.empty()) quiet_until_ = kNotKnown;
   for (const Group& group : run.groups.all()) {
     if (group.mayStop()) quiet_until_ = kNotKnown;
     if (group.isAtRest()) quiet_until_ = std::min(quiet_until_, group.restsUntil(run.schedules));

@@ -14,7 +14,7 @@ constexpr double kFullTrials = 10;  // groups that may take so much; more of the
 /// has not.
 bool actsInPlaces(const World& world) {
   return std::any_of(world.laws.begin(), world.laws.end(),
-                     [](const auto& law) { return law->foreseesInFlight(); });
+                     [](const auto& law) { return law->isOneSided(); });
 }
 
 }  // namespace

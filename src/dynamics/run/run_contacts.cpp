@@ -10,10 +10,10 @@ namespace {
 std::vector<std::size_t> startingAnew(RunState& run, Grouping& grouping, std::size_t body) {
   std::set<std::size_t> anew;
   for (std::size_t law : run.laws.of(body))
-    if (run.world->laws[law]->startsAnew() && run.acts(law)) anew.insert(law);
+    if (run.world->laws[law]->isOneSided() && run.acts(law)) anew.insert(law);
   grouping.findCandidatesNow(run, run.time);  // where the body is now
   for (std::size_t law : run.laws.of(body))
-    if (run.world->laws[law]->startsAnew()) anew.insert(law);
+    if (run.world->laws[law]->isOneSided()) anew.insert(law);
   return {anew.begin(), anew.end()};
 }
 

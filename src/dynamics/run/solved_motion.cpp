@@ -22,6 +22,14 @@ bool isModest(const BodyState& state) {
   return isModest(state.x_W) && isModest(state.p_W) && isModest(state.L_W);
 }
 
+bool isModest(const MediumLoad& load) {
+  const double linear = load.linear + load.linear_P.cwiseAbs().sum();
+  return linear < kModest && load.quadratic < kModest &&
+         load.angular_P.cwiseAbs().sum() < kModest && isModest(load.quadratic_axes) &&
+         isModest(load.velocity_W) && isModest(load.center_P) && isModest(load.lift_W) &&
+         isModest(load.lift_arm_P);
+}
+
 bool isModest(const HeldWrench& wrench) {
   const auto lever = [](const HeldWrench::BodyPointForce& l) {
     return isModest(l.arm_P) && isModest(l.force_W);
@@ -32,7 +40,8 @@ bool isModest(const HeldWrench& wrench) {
   const auto isModestDrive = [](const ActuatorDrive& drive) {
     return drive.forceBound() < kModest && drive.torqueBound() < kModest && isModest(drive.H_0);
   };
-  return (!wrench.drive || isModestDrive(*wrench.drive)) && isModest(wrench.f_W) &&
+  return (!wrench.drive || isModestDrive(*wrench.drive)) &&
+         (!wrench.medium || isModest(*wrench.medium)) && isModest(wrench.f_W) &&
          isModest(wrench.tau_W) && isModest(wrench.f_P) && isModest(wrench.tau_P) &&
          std::all_of(wrench.body_point_forces.begin(), wrench.body_point_forces.end(), lever) &&
          std::all_of(wrench.world_point_forces.begin(), wrench.world_point_forces.end(), pull);

@@ -100,9 +100,9 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
   if (at_rest_) return false;
   workspace_.step_bound = contactBound();
   double done = 0, next = h;
-  constexpr int kMaxSteps = 10000000;
+  constexpr int kMaxSubsteps = 10000000;
   for (int taken = 0; done < h; ++taken) {
-    if (taken == kMaxSteps) throw StepTooLong("a step in contact takes more than 1e7 substeps");
+    if (taken == kMaxSubsteps) throw StepTooLong("a step in contact takes more than 1e7 substeps");
     const double left = h - done;
     double step = std::min({left, next, longestStep(system, h, states)});
     if (step < left && step > 0.5 * left) step = 0.5 * left;  // no sliver at the end

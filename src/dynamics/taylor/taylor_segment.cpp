@@ -149,13 +149,10 @@ TaylorPull<T> TaylorSegmentT<T>::scaledPull() const {
   return scaled(pull_, T(1) / rate_unit_);
 }
 
-/// Each of the θ radians of the whole run by an equal share of the bound, since an error of the
-/// angular velocity grows to up to θ times as much in the attitude by the end. A segment shorter
-/// than a radian has its part of the share.
+/// A segment shorter than a radian has its part of the share.
 template <class T>
 T TaylorSegmentT<T>::precisionFor(T rate, T angle) const {
-  const T theta = std::max(T(1), rate * T(bound_.horizon));
-  const T share = T(bound_.attitude) / (T(20) * theta * theta);
+  const T share = shareOf(T(bound_.attitude), rate * T(bound_.horizon));
   return std::max(std::numeric_limits<T>::epsilon(), share * std::min(angle, T(1)));
 }
 

@@ -58,6 +58,15 @@ T unitOf(T rate) {
   return std::ldexp(T(1), std::min(std::max(std::ilogb(rate), -1000), 1000));
 }
 
+/// The share of a bound on the attitude's error [rad] that each radian of a run may take: the run
+/// turns by theta, and an error of the angular velocity grows to up to theta times as much in the
+/// attitude by its end.
+template <class T>
+T shareOf(T bound, T theta) {
+  theta = std::max(T(1), theta);
+  return bound / (T(20) * theta * theta);
+}
+
 /// The degree of the series: that of the best step (Jorba and Zou), −½ ln(precision), and a few
 /// terms more, since a segment costs something whatever its degree; or, where that is less, the
 /// least n >= 7 at which angleⁿ is below the precision, angle being rate × time. Measured: of

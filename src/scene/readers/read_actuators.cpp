@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string>
 
 #include "scene/limits.hpp"
 #include "scene/readers/readers.hpp"
@@ -17,8 +18,8 @@ Vector3d readDirection(const Entry& value) {
 double readTimeConstant(const Entry& value) {
   const double T = readNumber(value, "s");
   if (!(T >= kLeastTimeConstant && T <= kGreatestTimeConstant))
-    value.failRule(
-        "must be from 1e-9 to 1e9 s, or left out: then the command takes effect at once");
+    value.failRule(std::string("must be ") + kTimeConstantRange +
+                   ", or left out: then the command takes effect at once");
   return T;
 }
 

@@ -176,10 +176,9 @@ double readTime(const Entry& value, const World& world) {
   return t;
 }
 
-}  // namespace
+using Whole = Part<State>;
 
-State parseState(const std::string& text, const std::string& source, const World& world) {
-  using Whole = Part<State>;
+const std::vector<Key<Whole>>& keysOfState() {
   static const std::vector<Key<Whole>> keys = {
       {"version", [](const Entry&, Whole&) {}, true},
       {"scene", [](const Entry&, Whole&) {}, true},
@@ -206,6 +205,12 @@ State parseState(const std::string& text, const std::string& source, const World
        },
        true},
   };
+  return keys;
+}
+
+}  // namespace
+
+State parseState(const std::string& text, const std::string& source, const World& world) {
   ReadContext context;
   context.source = source;
   const YamlDocument document = parseYaml(text, source);
@@ -214,7 +219,7 @@ State parseState(const std::string& text, const std::string& source, const World
   BodyIndex index;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) index[world.bodies[i].name] = i;
   Whole state{world, index, {}};
-  readMapping(root, keys, state);
+  readMapping(root, keysOfState(), state);
   checkFingerprint(root.child(*document.root.find("scene")), world);
   checkSolver(root.child(*document.root.find("solver")), world, index);
   completeAnchors(state.value);

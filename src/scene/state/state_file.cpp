@@ -38,7 +38,8 @@ void requireWritten(const std::string& path, const std::error_code& fault) {
 
 std::string stateText(const World& world, const State& state) {
   const bool lacks_plans = state.plans.empty() && !state.anchors.empty();
-  const bool lacks_schedules = state.schedules.empty() && !world.wrenches.empty();
+  const bool lacks_schedules =
+      state.schedules.empty() && !(world.wrenches.empty() && world.commands.empty());
   if (state.bodies.size() != world.bodies.size() || lacks_plans || lacks_schedules)
     throw std::invalid_argument("the state must be one that a simulation of its world gave");
   std::string text = writtenState(world, state);

@@ -4,7 +4,7 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
-#include "dynamics/methods/pivot_law.hpp"
+#include "dynamics/methods/pivots.hpp"
 #include "dynamics/rotation/free_top.hpp"
 #include "dynamics/step_too_long.hpp"
 #include "dynamics/taylor/taylor_segment.hpp"

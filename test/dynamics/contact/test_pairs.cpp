@@ -89,8 +89,7 @@ class CountedContact final : public ForceLaw {
     ++looks_;
     return contact_->quietInFlight(t, at, bounds);
   }
-  bool startsAnew() const override { return true; }
-  bool foreseesInFlight() const override { return true; }
+  bool isOneSided() const override { return true; }
   bool switchesSmoothly() const override { return true; }
   double touchRadius(std::size_t k) const override { return contact_->touchRadius(k); }
   bool holdsStill(const Bodies& at, const std::vector<Stray>& strays) const override {

@@ -1,23 +1,8 @@
-#include "dynamics/methods/pivot_law.hpp"
+#include "dynamics/methods/pivots.hpp"
 
 #include "dynamics/actuators/actuator_law.hpp"
 
 namespace rigid_body_sim {
-
-PivotLaw::PivotLaw(const std::vector<System::Pivot>& pivots) {
-  for (const System::Pivot& pivot : pivots) bodies_.push_back(pivot.body);
-}
-
-std::shared_ptr<const ForceLaw> PivotLaw::reindexed(
-    const std::function<std::size_t(std::size_t)>& index) const {
-  auto law = std::make_shared<PivotLaw>(*this);
-  for (std::size_t& body : law->bodies_) body = index(body);
-  return law;
-}
-
-void PivotLaw::addWrenches(const Bodies& /*at*/, std::vector<Wrench>& wrenches) const {
-  for (const std::size_t body : bodies_) wrenches[body].f_W.setZero();
-}
 
 HeldWrench heldOnPivot(const Body& body, HeldWrenchSum wrenches, System::Pivot& pivot) {
   PointWrench weight;
@@ -46,7 +31,7 @@ std::vector<Vector3d> forcesOnPivoted(const System& system, const SystemState& s
     if (const auto* motors = dynamic_cast<const ActuatorLaw*>(&law))
       wrenches[motors->body()].f_W +=
           rotate(states.bodies[motors->body()].q_WP, motors->onPivot(with_own));
-    else if (!dynamic_cast<const PivotLaw*>(&law) && law.acts(with_own.own))
+    else if (law.acts(with_own.own))
       law.addWrenches(with_own, wrenches);
   });
   std::vector<Vector3d> forces_W;
