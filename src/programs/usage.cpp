@@ -1,6 +1,7 @@
 #include "programs/usage.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include <getopt.h>
 
 #include "scene/limits.hpp"
+#include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
 
@@ -26,6 +28,23 @@ double positiveNumber(const std::string& option, const char* text) {
   if (end == text || *end != '\0' || !decimal || !std::isfinite(x) || !(x > 0))
     throw UsageError("--" + option + ": must be a finite number > 0, got '" + text + "'");
   return x;
+}
+
+std::optional<std::uint64_t> wholeNumberIn(std::string_view text, std::uint64_t most) {
+  const char* const end = text.data() + text.size();
+  std::uint64_t number = 0;
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (text.empty() || rest != end || error != std::errc() || number > most) return std::nullopt;
+  return number;
+}
+
+std::uint64_t wholeNumber(const std::string& option, const char* text, std::uint64_t least,
+                          std::uint64_t most) {
+  const std::optional<std::uint64_t> number = wholeNumberIn(text, most);
+  if (!number || *number < least)
+    throw UsageError("--" + option + ": must be a whole number from " + std::to_string(least) +
+                     " to " + std::to_string(most) + ", got '" + printable(text) + "'");
+  return *number;
 }
 
 OptionActions::value_type textInto(std::optional<std::string>& kept, const std::string& option) {

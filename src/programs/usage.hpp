@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rigid_body_sim {
@@ -23,6 +25,14 @@ bool asksForHelp(int argc, char** argv);
 
 /// The value of an option, named without its dashes. Throws UsageError unless it is finite and > 0.
 double positiveNumber(const std::string& option, const char* text);
+
+/// The whole number that a text is, up to `most`; none for any other text.
+std::optional<std::uint64_t> wholeNumberIn(std::string_view text, std::uint64_t most);
+
+/// The value of an option, named without its dashes. Throws UsageError unless it is a whole number
+/// from least to most.
+std::uint64_t wholeNumber(const std::string& option, const char* text, std::uint64_t least,
+                          std::uint64_t most);
 
 /// Throws UsageError for a duration of more than kMaxSteps of the given length [s]. things: what
 /// each of them is, such as "steps".

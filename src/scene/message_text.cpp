@@ -23,6 +23,21 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   return to_prefix[b.size()];
 }
 
+/// The name that differs least from the text, by fewer edits than `limit`; null: none does.
+const std::string* nearest(const std::string& text, const std::vector<std::string>& names,
+                           std::size_t limit) {
+  const std::string* found = nullptr;
+  for (std::size_t i = 0; i < names.size() && i < kMaxComparedNames; ++i) {
+    const auto [shorter, longer] = std::minmax({text.size(), names[i].size()});
+    if (longer - shorter >= limit) continue;
+    const std::size_t edits = editDistance(text, names[i]);
+    if (edits >= limit) continue;
+    limit = edits;
+    found = &names[i];
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string oneLine(std::string text) {
@@ -43,44 +58,24 @@ std::string listed(const Vector3d& v) {
   return text.str();
 }
 
-std::string nameList(const std::vector<std::string>& names) {
-  constexpr std::size_t kMaxNames = 10;
+std::string nameList(const std::vector<std::string>& names, std::size_t most) {
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) list += ", ";
-    if (i == kMaxNames) return list + "...";
+    if (i == most) return list + "...";
     list += names[i];
   }
   return list;
 }
 
 std::string nearestOf(const std::string& text, const std::vector<std::string>& names) {
-  constexpr std::size_t kMaxNames = 10000;  // a message is no reason to wait
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  std::string nearest;
-  for (std::size_t i = 0; i < names.size() && i < kMaxNames; ++i) {
-    const std::size_t edits = editDistance(text, names[i]);
-    if (edits >= least) continue;
-    least = edits;
-    nearest = names[i];
-  }
-  return nearest;
+  const std::string* found = nearest(text, names, std::numeric_limits<std::size_t>::max());
+  return found ? *found : "";
 }
 
 std::string didYouMean(const std::string& text, const std::vector<std::string>& names) {
-  constexpr std::size_t kMaxNames = 10000;  // a message is no reason to wait
-  const std::size_t most = text.size() <= 3 ? 1 : 2;
-  std::size_t least = most + 1;
-  std::string nearest;
-  for (std::size_t i = 0; i < names.size() && i < kMaxNames; ++i) {
-    const std::size_t length = names[i].size();
-    if (std::max(length, text.size()) - std::min(length, text.size()) > most) continue;
-    const std::size_t edits = editDistance(text, names[i]);
-    if (edits >= least) continue;
-    least = edits;
-    nearest = names[i];
-  }
-  return nearest.empty() ? "" : "; did you mean '" + printable(nearest) + "'?";
+  const std::string* found = nearest(text, names, text.size() <= 3 ? 2 : 3);
+  return !found || found->empty() ? "" : "; did you mean '" + printable(*found) + "'?";
 }
 
 }  // namespace rigid_body_sim

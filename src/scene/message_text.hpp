@@ -17,6 +17,9 @@ std::string printable(const std::string& text);
 /// "[1, 2, 3]"
 std::string listed(const Vector3d& v);
 
+/// Of how many names the nearest one is looked for: a message is no reason to wait.
+constexpr std::size_t kMaxComparedNames = 10000;
+
 /// "; did you mean 'box'?", with the name that differs least from the text where one differs
 /// little; else empty.
 std::string didYouMean(const std::string& text, const std::vector<std::string>& names);
@@ -24,7 +27,7 @@ std::string didYouMean(const std::string& text, const std::vector<std::string>& 
 /// The name that differs least from the text, however much; "" of none.
 std::string nearestOf(const std::string& text, const std::vector<std::string>& names);
 
-/// "a, b, c"; cut short after the first ten.
-std::string nameList(const std::vector<std::string>& names);
+/// "a, b, c"; cut short after `most` of them.
+std::string nameList(const std::vector<std::string>& names, std::size_t most = 10);
 
 }  // namespace rigid_body_sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -125,8 +126,8 @@ std::string frameNameRule();
 
 /// The nearest double; finite. `unit` is for the message; empty: a pure number.
 double readNumber(const Entry& value, const std::string& unit);
-/// 0 to 2^64 - 1
-std::uint64_t readWhole(const Entry& value);
+std::uint64_t readWhole(const Entry& value, std::uint64_t least = 0,
+                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 /// ±.inf included
 double readBound(const Entry& value, const std::string& unit);
 double readPositive(const Entry& value, const std::string& unit);

@@ -143,14 +143,17 @@ double readNumber(const Entry& value, const std::string& unit) {
   return *number;
 }
 
-std::uint64_t readWhole(const Entry& value) {
+std::uint64_t readWhole(const Entry& value, std::uint64_t least, std::uint64_t most) {
   const std::string_view text = value.node().text;
   const char* const end = text.data() + text.size();
   std::uint64_t number = 0;
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   const bool plain = value.node().kind == YamlNode::Kind::kScalar && !value.node().quoted;
-  if (!plain || text.empty() || rest != end || error != std::errc())
-    value.failRule("must be a whole number from 0 to 2^64 - 1");
+  if (!plain || text.empty() || rest != end || error != std::errc() || number < least ||
+      number > most)
+    value.failRule(
+        "must be a whole number from " + std::to_string(least) + " to " +
+        (most == std::numeric_limits<std::uint64_t>::max() ? "2^64 - 1" : std::to_string(most)));
   return number;
 }
 

@@ -44,8 +44,11 @@ std::optional<double> ReadBack::bodyNumber(const World& world) const {
       {"inertia.ixy", {0, 1}}, {"inertia.ixz", {0, 2}}, {"inertia.iyz", {1, 2}}};
   for (const auto& [key, at] : moments) {
     if (whole_ != key || !body.actuators.empty()) continue;
-    const Matrix3d R = body.X_BP.linear();
-    const Matrix3d inertia = R * body.I.asDiagonal() * R.transpose();
+    // on a pivot I is about it; elsewhere com_P is zero
+    const Matrix3d R = body.X_BP.linear(), I_P = body.I.asDiagonal();
+    const Vector3d& c = body.com_P;
+    const Matrix3d arm = c.squaredNorm() * Matrix3d::Identity() - c * c.transpose();
+    const Matrix3d inertia = R * (I_P - body.mass * arm) * R.transpose();
     return inertia(at.first, at.second);
   }
   return std::nullopt;
@@ -56,7 +59,7 @@ std::optional<Vector3d> ReadBack::vector(const Scene& scene, const World& world,
   if (whole_ == "gravity" && !wrench_) return world.g_W;
   if (body_ == VariedScene::kNoBody) return std::nullopt;
   const Body& body = world.bodies[body_];
-  if (whole_ == "center_of_mass") return Vector3d(body.X_BP.translation());
+  if (whole_ == "center_of_mass") return Vector3d(body.X_BP * body.com_P);
   const bool angular = whole_ == "twist.angular";
   if (whole_ != "position" && !angular && whole_ != "twist.linear") return std::nullopt;
   const BodyFrameMotion motion = toBodyFrameMotion(body, initial.bodies[body_]);

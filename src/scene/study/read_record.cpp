@@ -16,9 +16,7 @@ QuantityDef quantityIn(const Entry& value, std::string_view text) {
   const std::vector<std::string>& names = quantityNames();
   if (std::find(names.begin(), names.end(), quantity.name) == names.end())
     value.fail((value.key().empty() ? "" : value.key() + ": ") + "unknown quantity '" +
-               printable(quantity.name) +
-               "' (known: px, py, pz, qx, qy, qz, qw, vx, vy, vz, wx, "
-               "wy, wz, v, w)" +
+               printable(quantity.name) + "' (known: " + nameList(names, names.size()) + ")" +
                didYouMean(quantity.name, names));
   return quantity;
 }

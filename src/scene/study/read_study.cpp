@@ -97,10 +97,7 @@ std::vector<Varied> readVary(const Entry& entry) {
 }
 
 std::int64_t readRuns(const Entry& value) {
-  const double runs = readNumber(value, "");
-  if (!(runs >= 1 && runs <= static_cast<double>(kMaxSweepRuns) && runs == std::floor(runs)))
-    value.failRule("must be a whole number from 1 to " + std::to_string(kMaxSweepRuns));
-  return static_cast<std::int64_t>(runs);
+  return static_cast<std::int64_t>(readWhole(value, 1, kMaxSweepRuns));
 }
 
 void refuseManyRuns(const Study& study, const Entry& root) {

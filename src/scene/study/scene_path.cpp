@@ -2,14 +2,14 @@
 
 #include <charconv>
 
+#include "scene/message_text.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
-constexpr std::size_t kMaxPaths = 20000;  // a message is no reason to wait
-
 void addPaths(const YamlNode& node, const std::string& path, std::vector<std::string>& paths) {
   if (!path.empty()) paths.push_back(path);
-  for (std::size_t i = 0; i < node.children.size() && paths.size() < kMaxPaths; ++i) {
+  for (std::size_t i = 0; i < node.children.size() && paths.size() < kMaxComparedNames; ++i) {
     const YamlNode& child = node.children[i];
     if (node.kind == YamlNode::Kind::kMapping) {
       addPaths(child, (path.empty() ? "" : path + ".") + std::string(child.key), paths);

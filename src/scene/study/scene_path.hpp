@@ -24,7 +24,7 @@ YamlNode* follow(YamlNode& node, const PathStep& step);
 /// The node at a path; null where there is none.
 YamlNode* nodeAt(YamlNode& root, const std::string& path);
 
-/// Every path of the tree, down to the single values.
+/// The paths of the tree, down to the single values: the first kMaxComparedNames or so.
 std::vector<std::string> pathsOf(const YamlNode& root);
 
 }  // namespace rigid_body_sim

@@ -50,12 +50,11 @@ void place(const SceneValue& value, YamlNode& node) {
 }
 
 /// Keys that a scene may leave out and a study vary all the same, with what they then are.
-const std::vector<std::pair<std::string, SceneValue>>& optionalKeys() {
-  static const std::vector<std::pair<std::string, SceneValue>> keys = {
-      {"tolerance", {{{"1e-9"}}, false}},
-      {"horizon", {{{"10"}}, false}},
-      {"integrator", {{{"auto"}}, false}}};
-  return keys;
+std::vector<std::pair<std::string, SceneValue>> optionalKeys() {
+  const Scene scene;
+  return {{"tolerance", {{{numberText(scene.tolerance)}}, false}},
+          {"horizon", {{{numberText(scene.horizon)}}, false}},
+          {"integrator", {{{scene.integrator}}, false}}};
 }
 
 }  // namespace

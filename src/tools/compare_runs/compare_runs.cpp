@@ -21,7 +21,8 @@ that is in both. Both are
                  angular velocity [rad/s]; default: the bits must be the same
   --help         this text
 
-Exit status: 0 the runs agree; 1 they differ, or the input is at fault; 2 wrong usage.
+A body of one run only is printed, and does not count as a difference.
+Exit status: 0 the bodies of both runs agree; 1 they differ, or the input is at fault; 2 wrong usage.
 )";
 
 void compare(const std::vector<std::string>& files, double tolerance) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "dynamics/step_too_long.hpp"
 #include "scene/files/number_text.hpp"
 #include "scene/message_text.hpp"
 #include "scene/study/reaches.hpp"
@@ -9,17 +10,23 @@
 namespace rigid_body_sim {
 namespace {
 
-/// The states in which runs end, for worlds whose difference does not show otherwise.
-bool endsDiffer(const World& a, const State& initial_a, const World& b, const State& initial_b,
-                double duration) {
-  Simulation run_a(a, initial_a), run_b(b, initial_b);
-  const State end_a = stateAt(run_a, duration), end_b = stateAt(run_b, duration);
-  for (std::size_t i = 0; i < end_a.bodies.size(); ++i) {
-    const BodyState &s = end_a.bodies[i], &t = end_b.bodies[i];
+/// Whether two runs end in different states. Of a run that diverges nothing is known, so that it
+/// counts as another.
+bool differ(const std::optional<State>& a, const std::optional<State>& b) {
+  if (!a || !b) return true;
+  for (std::size_t i = 0; i < a->bodies.size(); ++i) {
+    const BodyState &s = a->bodies[i], &t = b->bodies[i];
     if (s.x_W != t.x_W || s.p_W != t.p_W || s.L_W != t.L_W || s.q_WP.coeffs() != t.q_WP.coeffs())
       return true;
   }
   return false;
+}
+
+/// Whether each value of the distribution is named, so that all of them must keep the scene's
+/// rules.
+bool namesItsValues(const Distribution& distribution) {
+  return std::holds_alternative<ListDistribution>(distribution) ||
+         std::holds_alternative<GridDistribution>(distribution);
 }
 
 std::string text(const SceneValue& value) {
@@ -34,51 +41,94 @@ void SweepRunner::checkPaths() {
   for (std::size_t i = 0; i < values_.size(); ++i) checkPath(i);
 }
 
-/// Values of a path that every study must be able to take: all of a list, what lies in the middle.
+/// Values to try of a path: all that are named, else some that are likely, the likeliest first.
 std::vector<SceneValue> SweepRunner::probesOf(std::size_t index) const {
   const Distribution& distribution = inputs_.study.vary[index].distribution;
   if (const auto* d = std::get_if<ListDistribution>(&distribution)) return d->values;
   if (const auto* d = std::get_if<GridDistribution>(&distribution)) return d->values;
-  const auto number = [](double x) { return SceneValue{{{numberText(x)}}, false}; };
+  std::vector<SceneValue> probes;
+  const auto add = [&](double x) { probes.push_back({{{numberText(x)}}, false}); };
   if (const auto* d = std::get_if<NormalDistribution>(&distribution))
-    return {number(d->mean), number(d->mean + 0.5 * d->stddev)};
-  if (const auto* d = std::get_if<UniformDistribution>(&distribution))
-    return {number(0.5 * (d->low + d->high)), number(0.75 * d->high + 0.25 * d->low)};
-  return {draws_.value(index, 0, scene_.own(index)), draws_.value(index, 1, scene_.own(index))};
+    for (const double deviations : {0.0, 0.5, -0.5, 1.0, -1.0, 2.0, -2.0})
+      add(d->mean + deviations * d->stddev);
+  else if (const auto* u = std::get_if<UniformDistribution>(&distribution))
+    for (const double share : {0.5, 0.75, 0.25, 0.95, 0.05})
+      add((1 - share) * u->low + share * u->high);
+  else
+    for (const std::int64_t run : {0, 1})
+      probes.push_back(draws_.value(index, run, scene_.own(index)));
+  return probes;
+}
+
+/// The world with a value at a path; none where the scene refuses it, for the reason that the first
+/// refusal is then set to.
+std::optional<SweepRunner::Built> SweepRunner::builtWith(std::size_t index, const SceneValue& value,
+                                                         std::string& first_refusal) {
+  const auto refuse = [&](const std::exception& error) {
+    if (first_refusal.empty()) first_refusal = "cannot be " + text(value) + ": " + error.what();
+    return std::nullopt;
+  };
+  scene_.set(index, value);
+  try {
+    return build();
+  } catch (const SceneError& error) {
+    return refuse(error);
+  } catch (const std::invalid_argument& error) {
+    return refuse(error);
+  }
+}
+
+/// The state in which its run ends; none: it has no result.
+std::optional<State> SweepRunner::endOf(const Built& built) const {
+  try {
+    Simulation run = simulationOf(built);
+    return stateAt(run, built.duration);
+  } catch (const SimulationDiverged&) {
+  } catch (const StepTooLong&) {
+  } catch (const std::invalid_argument&) {
+  }
+  return std::nullopt;
+}
+
+/// Whether a run goes as that of the reference does. Worlds are compared first, which is quick; but
+/// for the time step, since a motion that is solved is the same whatever it is.
+bool SweepRunner::movesAlike(Reference& reference, const Built& other, const std::string& path) {
+  const Built& first = reference.built;
+  if (first.duration != other.duration) return false;
+  const bool ends_decide = path == "time_step" && !RunRecorder::areNeededWithin(records_);
+  if (!ends_decide && differInMotion(first.world, first.initial, other.world, other.initial))
+    return false;
+  if (!reference.is_run) reference.end = endOf(first);
+  reference.is_run = true;
+  return !differ(reference.end, endOf(other));
 }
 
 void SweepRunner::checkPath(std::size_t index) {
-  constexpr std::size_t kMaxProbes = 1000;
   const Varied& varied = inputs_.study.vary[index];
   const auto fail = [&](const std::string& message) {
     throw SceneError(inputs_.study.source, varied.line,
                      oneLine("vary: '" + varied.path + "' " + message));
   };
+  const bool all_must_do = namesItsValues(varied.distribution);
   // what is under `forces` are parameters of laws, all of which act
   bool reaches = varied.path.rfind("forces", 0) == 0, differs = false;
-  std::optional<Built> first;
-  SceneValue first_value;
-  const std::vector<SceneValue> probes = probesOf(index);
-  for (std::size_t k = 0; k < probes.size() && k < kMaxProbes; ++k) {
-    scene_.set(index, probes[k]);
-    std::optional<Built> built;
-    try {
-      built = build();
-    } catch (const SceneError& refused) {
-      fail("cannot be " + text(probes[k]) + ": " + refused.what());
-    }
+  std::optional<Reference> first;
+  std::string refusal;
+  for (const SceneValue& probe : probesOf(index)) {
+    if (first && reaches && !all_must_do) break;
+    std::optional<Built> built = builtWith(index, probe, refusal);
+    if (!built && all_must_do) fail(refusal);
+    if (!built) continue;
     if (!first) {
-      first = std::move(built);
-      first_value = probes[k];
-    } else if (!reaches && !(probes[k] == first_value)) {
+      first = Reference{probe, std::move(*built), false, std::nullopt};
+    } else if (!reaches && !(probe == first->value)) {
       differs = true;
-      reaches =
-          differInMotion(first->world, first->initial, built->world, built->initial) ||
-          endsDiffer(first->world, first->initial, built->world, built->initial, built->duration);
+      reaches = !movesAlike(*first, *built, varied.path);
     }
   }
+  if (!first) fail(refusal);
   if (differs && !reaches)
-    fail("varies nothing: the bodies move alike whether it is " + text(first_value) + " or not");
+    fail("varies nothing: the bodies move alike whether it is " + text(first->value) + " or not");
   scene_.set(index, scene_.own(index));
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "programs/make_directory.hpp"
 #include "programs/usage.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/shard.hpp"
@@ -70,6 +71,13 @@ SweepInfo infoOf(const ShardFiles& files) {
   return *info;
 }
 
+void requireRows(const std::string& path, std::int64_t all) {
+  const std::int64_t rows = wholeRows(path);
+  if (rows != all)
+    throw std::runtime_error(path + ": has " + std::to_string(rows) + " of " + std::to_string(all) +
+                             " rows; finish it with --resume");
+}
+
 /// Refuses what is no whole sweep.
 SweepInfo checked(const std::map<std::int64_t, ShardFiles>& shards) {
   const ShardFiles& first = shards.begin()->second;
@@ -85,10 +93,9 @@ SweepInfo checked(const std::map<std::int64_t, ShardFiles>& shards) {
                                first.path("runs", ".csv"));
     if (toText(infoOf(files)) != toText(info))
       throw std::runtime_error(path + ": is of another sweep than " + first.path("runs", ".csv"));
-    const std::int64_t rows = wholeRows(path), all = files.shard.runsOf(info.runs);
-    if (rows != all)
-      throw std::runtime_error(path + ": has " + std::to_string(rows) + " of " +
-                               std::to_string(all) + " rows; finish it with --resume");
+    requireRows(path, files.shard.runsOf(info.runs));
+    if (!info.fan.empty())
+      requireRows(files.path("fan", ".csv"), files.shard.runsOf(info.fanRuns()));
   }
   return info;
 }
@@ -125,7 +132,7 @@ void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::str
 SweepInfo mergeShards(const std::vector<std::string>& directories, const std::string& out) {
   const std::map<std::int64_t, ShardFiles> shards = shardsIn(directories);
   const SweepInfo info = checked(shards);
-  fs::create_directories(out);
+  makeDirectory(out);
   const fs::path directory = out;
   for (const char* stem : {"runs", "fan"}) {
     if (std::string(stem) == "fan" && info.fan.empty()) continue;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/common/motion_numbers.hpp"
+
 namespace rigid_body_sim {
 namespace {
-
-constexpr std::size_t kMotionNumbers = 13;
 
 bool isBeyond(const RecordDef& def, double x) { return def.below ? x < def.level : x > def.level; }
 
@@ -36,19 +36,11 @@ double greatest(const Function& f, double from, double to) {
 
 }  // namespace
 
-void addMotion(const BodyFrameMotion& m, std::vector<double>& numbers) {
-  for (double x : {m.x_W.x(), m.x_W.y(), m.x_W.z(), m.q_WB.x(), m.q_WB.y(), m.q_WB.z(), m.q_WB.w(),
-                   m.v_W.x(), m.v_W.y(), m.v_W.z(), m.w_W.x(), m.w_W.y(), m.w_W.z()})
-    numbers.push_back(x);
-}
-
 double Quantity::of(const Body& body_def, const BodyState& state) const {
   const BodyFrameMotion motion = toBodyFrameMotion(body_def, state);
   if (index == kMotionNumbers) return motion.v_W.norm();
   if (index == kMotionNumbers + 1) return motion.w_W.norm();
-  std::vector<double> numbers;
-  addMotion(motion, numbers);
-  return numbers[index];
+  return motionNumbers(motion)[index];
 }
 
 bool RunRecorder::areNeededWithin(const std::vector<Record>& records) {

@@ -17,9 +17,6 @@ struct Quantity {
   double of(const Body& body_def, const BodyState& state) const;
 };
 
-/// Position, attitude and velocities of a body frame, in the order of simulate's CSV: 13 numbers.
-void addMotion(const BodyFrameMotion& motion, std::vector<double>& numbers);
-
 /// Follows a run for what a study records of it. What is looked for is first found between time
 /// steps, then located within the steps.
 class RunRecorder {

@@ -68,8 +68,9 @@ void RunTable::append(const std::string& rows) {
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
       const int why = errno;
-      // a file that cannot be cut is no file: a device has no rows to keep whole
-      if (before >= 0 && ftruncate(descriptor_, before) != 0) errno = why;
+      // a device cannot be cut, and has no rows to keep whole
+      const bool is_cut = before >= 0 && ftruncate(descriptor_, before) == 0;
+      static_cast<void>(is_cut);
       errno = why;
       failToWrite(path_);
     }

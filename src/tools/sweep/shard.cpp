@@ -1,29 +1,28 @@
 #include "tools/sweep/shard.hpp"
 
-#include <charconv>
-#include <cstring>
 #include <optional>
+#include <string_view>
 
 #include "programs/usage.hpp"
 #include "scene/message_text.hpp"
+#include "scene/study/study.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-std::optional<std::int64_t> wholeNumber(const char* begin, const char* end) {
-  std::int64_t number = 0;
-  const auto [rest, error] = std::from_chars(begin, end, number);
-  if (begin == end || rest != end || error != std::errc()) return std::nullopt;
-  return number;
+/// More shards than runs have nothing to do.
+std::optional<std::int64_t> numberOf(std::string_view text) {
+  const std::optional<std::uint64_t> number = wholeNumberIn(text, kMaxSweepRuns);
+  return number ? std::optional(static_cast<std::int64_t>(*number)) : std::nullopt;
 }
 
 /// The number in a variable that must be set, beside another that is.
 std::int64_t numberIn(const Environment& environment, const char* name, const char* beside) {
   const char* text = environment(name);
-  const auto number = text ? wholeNumber(text, text + std::strlen(text)) : std::nullopt;
+  const auto number = text ? numberOf(text) : std::nullopt;
   if (!number)
-    throw UsageError("environment: " + std::string(name) + " must be a whole number beside " +
-                     beside + ", got " +
+    throw UsageError("environment: " + std::string(name) + " must be a whole number up to " +
+                     std::to_string(kMaxSweepRuns) + " beside " + beside + ", got " +
                      (text ? "'" + printable(std::string(text)) + "'" : "nothing"));
   return *number;
 }
@@ -59,12 +58,12 @@ std::string Shard::fileName(const std::string& stem, const std::string& extensio
 Shard parseShard(const std::string& text) {
   const std::size_t slash = text.find('/');
   if (slash != std::string::npos) {
-    const char* begin = text.data();
-    const auto index = wholeNumber(begin, begin + slash);
-    const auto count = wholeNumber(begin + slash + 1, begin + text.size());
+    const auto index = numberOf(std::string_view(text).substr(0, slash));
+    const auto count = numberOf(std::string_view(text).substr(slash + 1));
     if (index && count && *index >= 1 && *index <= *count) return {*index, *count};
   }
-  throw UsageError("--shard: must be I/N with 1 <= I <= N, got '" + printable(text) + "'");
+  throw UsageError("--shard: must be I/N with 1 <= I <= N <= " + std::to_string(kMaxSweepRuns) +
+                   ", got '" + printable(text) + "'");
 }
 
 LaunchedShard launchedShard(const Environment& environment) {

@@ -4,20 +4,17 @@
 #include <optional>
 #include <utility>
 
+#include "dynamics/wrenches/held_wrench.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
-/// Whether no wrench turns with another body.
-bool actsAlone(const PointWrench& wrench) {
-  const auto own = [&](std::size_t frame) {
-    return frame == kWorld || frame == kOwnBody || frame == wrench.body;
-  };
-  return own(wrench.axes) && own(wrench.point_frame);
-}
-
+/// Whether no law couples bodies, and no wrench that is to come ends a solved motion.
 bool mayBeSolved(const World& world) {
-  return world.solver.integrator == "auto" && world.laws.empty() &&
-         std::all_of(world.wrenches.begin(), world.wrenches.end(), actsAlone);
+  return world.solver.integrator == "auto" &&
+         std::all_of(world.laws.begin(), world.laws.end(),
+                     [](const auto& law) { return law->isOfMedium(); }) &&
+         std::all_of(world.wrenches.begin(), world.wrenches.end(), HeldWrench::holds);
 }
 
 }  // namespace

@@ -30,11 +30,20 @@ void report(const SweepInfo& info, const std::string& directory) {
           " is there, the plot is not\n");
 }
 
+std::vector<std::string> writtenFiles(const SweepOptions& options) {
+  if (options.run) return {SweepJob::sceneName(*options.run)};
+  const Shard& shard = options.launched.shard;
+  std::vector<std::string> names = {shard.fileName("runs", ".csv"), shard.fileName("fan", ".csv"),
+                                    shard.fileName("runs", ".info")};
+  if (shard.count == 1) names.insert(names.end(), {"summary.csv", "sweep.svg"});
+  return names;
+}
+
 void requireDistinctFiles(const SweepOptions& options) {
   const std::filesystem::path out = options.directory();
   std::vector<NamedFile> files{{"the scene", options.scene, false},
                                {"the study", options.study, false}};
-  for (const char* name : {"runs.csv", "fan.csv", "runs.info", "summary.csv", "sweep.svg"})
+  for (const std::string& name : writtenFiles(options))
     files.push_back({name, (out / name).string(), true});
   requireDistinct(files);
 }

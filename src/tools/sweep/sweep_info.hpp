@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,11 +17,13 @@ struct SweepInfo {
   std::size_t varied = 0;    ///< columns after the first
   std::size_t records = 0;   ///< columns before the last three
   std::string fan;           ///< quantity of fan.csv; empty: none
-  std::vector<std::string> columns;
+
+  /// Rows of fan.csv, of all shards: the first runs have one.
+  static constexpr std::int64_t kFanRuns = 1000;
+  std::int64_t fanRuns() const { return fan.empty() ? 0 : std::min(runs, kFanRuns); }
 };
 
-/// One line per member, and back; the columns are those of the table. Of a text that is none:
-/// nothing.
+/// One line per member, and back. Of a text that is none: nothing.
 std::string toText(const SweepInfo& info);
 std::optional<SweepInfo> sweepInfoIn(const std::string& text);
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "programs/make_directory.hpp"
 #include "programs/package_directory.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
@@ -15,7 +16,6 @@
 #include "tools/common/progress_bar.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/stop_signals.hpp"
-#include "tools/sweep/sweep_pool.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -67,15 +67,18 @@ std::string SweepJob::path(const std::string& stem, const std::string& extension
   return (std::filesystem::path(options_.directory()) / shard_.fileName(stem, extension)).string();
 }
 
+std::string SweepJob::sceneName(std::int64_t number) {
+  return "run_" + std::to_string(number) + ".yaml";
+}
+
 std::string SweepJob::writeScene(std::int64_t number) {
   if (number >= info_.runs)
     throw UsageError("--run: must be less than the " + std::to_string(info_.runs) +
                      " runs of the study, got " + std::to_string(number));
   const std::string scene = runners_.front()->sceneOf(number);
-  std::filesystem::create_directories(options_.directory());
+  makeDirectory(options_.directory());
   const std::string path =
-      (std::filesystem::path(options_.directory()) / ("run_" + std::to_string(number) + ".yaml"))
-          .string();
+      (std::filesystem::path(options_.directory()) / sceneName(number)).string();
   writeText(path, "# run " + std::to_string(number) + " of " + info_.title + ", seed " +
                       std::to_string(inputs_.study.seed) + "\n" + scene);
   return path;
@@ -89,10 +92,9 @@ std::int64_t SweepJob::rowsToKeep() const {
   if (info != toText(info_))
     throw std::runtime_error(table + ": is of another sweep; remove it, or leave --resume out");
   const std::int64_t rows = std::min(wholeRows(table), shard_.runsOf(info_.runs));
-  const std::int64_t fan_rows = shard_.runsOf(std::min(info_.runs, SweepRunner::kFanRuns));
   if (info_.fan.empty() || rows == 0) return rows;
   const std::int64_t fan = wholeRows(path("fan", ".csv"));
-  return fan < std::min(rows, fan_rows) ? fan : rows;
+  return fan < std::min(rows, shard_.runsOf(info_.fanRuns())) ? fan : rows;
 }
 
 /// What meshes the first has read the others need not read again.
@@ -103,22 +105,32 @@ void SweepJob::addRunners(std::int64_t runs) {
     runners_.push_back(std::make_unique<SweepRunner>(inputs_));
 }
 
-void SweepJob::run() {
-  std::filesystem::create_directories(options_.directory());
-  const std::int64_t all = shard_.runsOf(info_.runs);
-  const std::int64_t kept = options_.resume ? rowsToKeep() : 0;
-  const bool goes_on = kept > 0;
+struct SweepJob::Tables {
+  RunTable runs;
+  std::optional<RunTable> fan;
+};
+
+/// Opens them after the rows that are kept; none: anew.
+SweepJob::Tables SweepJob::openTables(std::int64_t kept) const {
   const auto open = [&](const std::string& stem, const std::string& header, std::int64_t rows) {
     const std::string file = path(stem, ".csv");
-    return goes_on ? RunTable::reopen(file, header, rows) : RunTable::create(file, header);
+    return kept > 0 ? RunTable::reopen(file, header, rows) : RunTable::create(file, header);
   };
   // the description first: a table without it cannot be gone on with
-  if (!goes_on) writeText(path("runs", ".info"), toText(info_));
-  RunTable table = open("runs", joined(runners_.front()->columns()), kept);
-  std::optional<RunTable> fan;
-  const std::int64_t fan_rows = shard_.runsOf(std::min(info_.runs, SweepRunner::kFanRuns));
+  if (kept == 0) writeText(path("runs", ".info"), toText(info_));
+  const SweepRunner& runner = *runners_.front();
+  Tables tables{open("runs", joined(runner.columns()), kept), std::nullopt};
   if (!info_.fan.empty())
-    fan.emplace(open("fan", fanHeader(runners_.front()->fanInstants()), std::min(kept, fan_rows)));
+    tables.fan.emplace(open("fan", fanHeader(runner.fanInstants()),
+                            std::min(kept, shard_.runsOf(info_.fanRuns()))));
+  return tables;
+}
+
+void SweepJob::run() {
+  makeDirectory(options_.directory());
+  const std::int64_t all = shard_.runsOf(info_.runs);
+  const std::int64_t kept = options_.resume ? rowsToKeep() : 0;
+  Tables tables = openTables(kept);
   addRunners(all - kept);
 
   const StopSignals signals;
@@ -126,25 +138,31 @@ void SweepJob::run() {
   SweepPool pool(
       runners_, shard_,
       [&](const std::string& rows, const std::string& fan_lines) {
-        table.append(rows);
-        if (fan) fan->append(fan_lines);
+        tables.runs.append(rows);
+        if (tables.fan) tables.fan->append(fan_lines);
       },
       signals.requested());
   const SweepOutcome outcome = pool.run(kept, all, [&](std::int64_t written) {
     bar.show(static_cast<double>(written) /
              static_cast<double>(std::max<std::int64_t>(1, all - kept)));
   });
+  report(outcome, kept);
+  if (kept + outcome.written < all) signals.endIfRequested();
+}
+
+/// What the user must know of runs without results, and of those that were not begun.
+void SweepJob::report(const SweepOutcome& outcome, std::int64_t kept) const {
   if (outcome.refused > 0)
     std::fprintf(
         stderr, "%s\n",
         noticeLine("sweep", std::to_string(outcome.refused) +
                                 " runs have no result; the first is " + outcome.first_refusal)
             .c_str());
+  const std::int64_t all = shard_.runsOf(info_.runs);
   if (kept + outcome.written == all) return;
   std::fprintf(stderr,
                "sweep: stopped after %lld of %lld runs; the same command with --resume goes on\n",
                static_cast<long long>(kept + outcome.written), static_cast<long long>(all));
-  signals.endIfRequested();
 }
 
 }  // namespace rigid_body_sim

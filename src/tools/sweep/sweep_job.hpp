@@ -5,6 +5,7 @@
 
 #include "tools/sweep/sweep_info.hpp"
 #include "tools/sweep/sweep_options.hpp"
+#include "tools/sweep/sweep_pool.hpp"
 #include "tools/sweep/sweep_runner.hpp"
 
 namespace rigid_body_sim {
@@ -14,7 +15,10 @@ class SweepJob {
  public:
   explicit SweepJob(const SweepOptions& options);
 
-  /// Writes the scene of a run; returns its path. Throws UsageError for a run that there is none.
+  /// The file of the scene of a run.
+  static std::string sceneName(std::int64_t number);
+
+  /// Writes it; returns its path. Throws UsageError for a run that there is none.
   std::string writeScene(std::int64_t number);
 
   /// Makes the runs of the shard that are not there yet. Where the process is asked to end
@@ -25,9 +29,13 @@ class SweepJob {
   const std::vector<std::string>& notices() const { return runners_.front()->notices(); }
 
  private:
+  struct Tables;
+
   std::string path(const std::string& stem, const std::string& extension) const;
   std::int64_t rowsToKeep() const;
+  Tables openTables(std::int64_t kept) const;
   void addRunners(std::int64_t runs);
+  void report(const SweepOutcome& outcome, std::int64_t kept) const;
 
   const SweepOptions& options_;
   Shard shard_;

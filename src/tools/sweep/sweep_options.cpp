@@ -1,9 +1,9 @@
 #include "tools/sweep/sweep_options.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cstring>
 #include <thread>
+
+#include <sched.h>
 
 #include "programs/usage.hpp"
 #include "scene/message_text.hpp"
@@ -21,19 +21,14 @@ std::string directoryIn(const char* text) {
   return path;
 }
 
-template <class Number>
-Number wholeNumber(const std::string& option, const char* text, Number least, Number most) {
-  const char* end = text + std::strlen(text);
-  Number number = 0;
-  const auto [rest, error] = std::from_chars(text, end, number);
-  if (text == end || rest != end || error != std::errc() || number < least || number > most)
-    throw UsageError("--" + option + ": must be a whole number from " + std::to_string(least) +
-                     " to " + std::to_string(most) + ", got '" + printable(std::string(text)) +
-                     "'");
-  return number;
+/// The cores that this process may use: of those of the machine, the ones that taskset or a job's
+/// launcher left to it.
+int usualThreads() {
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof cores, &cores) == 0) return CPU_COUNT(&cores);
+  // a machine of more cores than the set can hold
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
-
-int usualThreads() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
 SweepOptions parseMerge(int argc, char** argv) {
   SweepOptions options;
@@ -57,16 +52,15 @@ SweepOptions parseSweepOptions(int argc, char** argv, const Environment& environ
   const OptionActions actions{
       {"runs",
        [&](const char* s) {
-         options.runs = wholeNumber<std::int64_t>("runs", s, 1, kMaxSweepRuns);
+         options.runs = std::int64_t(wholeNumber("runs", s, 1, kMaxSweepRuns));
        }},
-      {"seed",
-       [&](const char* s) { options.seed = wholeNumber<std::uint64_t>("seed", s, 0, UINT64_MAX); }},
+      {"seed", [&](const char* s) { options.seed = wholeNumber("seed", s, 0, UINT64_MAX); }},
       {"run",
        [&](const char* s) {
-         options.run = wholeNumber<std::int64_t>("run", s, 0, kMaxSweepRuns - 1);
+         options.run = std::int64_t(wholeNumber("run", s, 0, kMaxSweepRuns - 1));
        }},
       {"threads",
-       [&](const char* s) { options.threads = wholeNumber("threads", s, 1, kMaxThreads); }},
+       [&](const char* s) { options.threads = int(wholeNumber("threads", s, 1, kMaxThreads)); }},
       {"shard", [&](const char* s) { shard = parseShard(s); }},
       {"out", [&](const char* s) { options.out = directoryIn(s); }}};
   const auto files = readCommandLine(argc, argv, actions, "a scene file and a study file are", 2,

@@ -83,7 +83,13 @@ void SweepPool::handOn(Block made) {
        next != finished_.end() && next->first == next_written_ && !failure_;
        next = finished_.erase(next)) {
     const Block& block = next->second;
-    write_(block.rows, block.fan);
+    try {
+      write_(block.rows, block.fan);
+    } catch (...) {
+      // before another thread has the lock: it would write the same rows again
+      failure_ = std::current_exception();
+      break;
+    }
     next_written_ = block.end;
     outcome_.written += block.end - block.first;
     if (outcome_.refused == 0) outcome_.first_refusal = block.first_refusal;

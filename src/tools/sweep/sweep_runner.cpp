@@ -8,6 +8,7 @@
 #include "scene/files/number_text.hpp"
 #include "scene/message_text.hpp"
 #include "scene/study/read_record.hpp"
+#include "tools/common/motion_numbers.hpp"
 #include "tools/common/state_at.hpp"
 #include "tools/sweep/solved_step.hpp"
 
@@ -102,7 +103,6 @@ void SweepRunner::findColumns(const World& world) {
     values_[i] = shape;
   }
   varied_columns_ = columns_.size() - 1;
-  constexpr std::size_t kMotionNumbers = 13;
   for (const std::size_t i : moving_)
     for (std::size_t k = 0; k < kMotionNumbers; ++k)
       columns_.push_back(world.bodies[i].name + "." + quantityNames()[k]);
@@ -136,7 +136,7 @@ std::string SweepRunner::sceneOf(std::int64_t number) {
 }
 
 RunRows SweepRunner::run(std::int64_t number) {
-  const bool with_fan = number < kFanRuns && fan_;
+  const bool with_fan = number < SweepInfo::kFanRuns && fan_;
   RunRows rows;
   rows.row = std::to_string(number);
   setValues(number);
@@ -164,12 +164,16 @@ RunRows SweepRunner::run(std::int64_t number) {
   return rows;
 }
 
+Simulation SweepRunner::simulationOf(const Built& built) const {
+  if (RunRecorder::areNeededWithin(records_)) return Simulation(built.world, built.initial);
+  return quickSimulation(built.world, built.initial, built.duration);
+}
+
 void SweepRunner::simulate(const Built& built, bool with_fan, std::int64_t number,
                            RunRows& rows) const {
   appendValues(&built, rows.row);
   const bool within = RunRecorder::areNeededWithin(records_);
-  Simulation run = within ? Simulation(built.world, built.initial)
-                          : quickSimulation(built.world, built.initial, built.duration);
+  Simulation run = simulationOf(built);
   if (!everyMotionIsSolved(run)) run.trackError();
   std::optional<RunRecorder> recorder;
   if (!records_.empty()) recorder.emplace(records_, run);
@@ -229,12 +233,9 @@ void SweepRunner::appendValues(const Built* built, std::string& row) const {
 }
 
 void SweepRunner::appendStates(const World& world, const State& end, std::string& row) const {
-  std::vector<double> numbers;
-  for (const std::size_t i : moving_) {
-    numbers.clear();
-    addMotion(toBodyFrameMotion(world.bodies[i], end.bodies[i]), numbers);
-    for (const double x : numbers) appendField(x, row);
-  }
+  for (const std::size_t i : moving_)
+    for (const double x : motionNumbers(toBodyFrameMotion(world.bodies[i], end.bodies[i])))
+      appendField(x, row);
 }
 
 }  // namespace rigid_body_sim

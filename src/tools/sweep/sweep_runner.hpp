@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "scene/study/read_back.hpp"
 #include "scene/study/varied_scene.hpp"
 #include "tools/sweep/run_recorder.hpp"
+#include "tools/sweep/sweep_info.hpp"
 
 namespace rigid_body_sim {
 
@@ -31,15 +33,14 @@ struct RunRows {
 /// own.
 class SweepRunner {
  public:
-  /// The first runs have a row of the fan, at so many instants and the start.
-  static constexpr std::int64_t kFanRuns = 1000;
+  /// A row of the fan has so many instants and the start.
   static constexpr int kFanInstants = 40;
 
   /// Throws SceneError for a scene or a study at fault.
   explicit SweepRunner(const SweepInputs& inputs);
 
-  /// Throws SceneError for a path that varies nothing, and for a value of a list or grid, or a
-  /// mean, that the scene refuses.
+  /// Throws SceneError for a path that varies nothing, for a value of a list or grid that the scene
+  /// refuses, and for another distribution where it refuses all that was tried.
   void checkPaths();
 
   std::int64_t runs() const { return draws_.runs(); }
@@ -66,12 +67,24 @@ class SweepRunner {
     double duration = 0;  // [s]
   };
 
+  /// What the other values of a path are compared with.
+  struct Reference {
+    SceneValue value;
+    Built built;
+    bool is_run = false;
+    std::optional<State> end;  // once it is run; none: it has no result
+  };
+
   void findColumns(const World& world);
   void findRecords(const World& world);
   Built build();
   void setValues(std::int64_t number);
   void checkPath(std::size_t index);
   std::vector<SceneValue> probesOf(std::size_t index) const;
+  std::optional<Built> builtWith(std::size_t index, const SceneValue& value, std::string& refusal);
+  std::optional<State> endOf(const Built& built) const;
+  bool movesAlike(Reference& reference, const Built& other, const std::string& path);
+  Simulation simulationOf(const Built& built) const;
   void simulate(const Built& built, bool with_fan, std::int64_t number, RunRows& rows) const;
   void follow(Simulation& run, const Built& built, RunRecorder* recorder, std::string* fan) const;
   void appendValues(const Built* built, std::string& row) const;

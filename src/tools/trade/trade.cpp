@@ -10,6 +10,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 
 #include "programs/distinct_files.hpp"
+#include "programs/make_directory.hpp"
 #include "programs/run_program.hpp"
 #include "programs/standard_streams.hpp"
 #include "programs/tool_scene.hpp"
@@ -69,7 +70,7 @@ Trade measureTrade(const TradeOptions& options) {
   const bool contact = hasContact(world);
   const std::vector<std::string> integrators =
       contact ? std::vector<std::string>{"auto"} : integratorsFor(world, first);
-  std::filesystem::create_directories(options.out);
+  makeDirectory(options.out);
   TradeCsv csv(options.out + "/trade.csv", contact);
   for (const std::string& notice : scene.notices)
     std::fprintf(stderr, "%s\n", noticeLine("trade", notice).c_str());

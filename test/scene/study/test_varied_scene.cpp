@@ -161,6 +161,44 @@ TEST(ReadBack, FindsEveryValueInTheBuiltWorld) {
   }
 }
 
+// On a pivot, the body is kept by its inertia about that point.
+TEST(ReadBack, FindsMassPropertiesAndAttitudeWithAndWithoutAPivot) {
+  const std::vector<std::pair<std::string, double>> cases = {
+      {"mass", 3},           {"center_of_mass[0]", 0.4}, {"center_of_mass[2]", -0.3},
+      {"inertia.ixx", 2.25}, {"inertia.iyy", 1.75},      {"inertia.izz", 2.5},
+      {"inertia.ixy", 0.25}, {"inertia.ixz", -0.125},    {"inertia.iyz", 0.2}};
+  const std::string body = R"(time_step: 0.01
+bodies:
+  - name: box
+    mass: 2
+    center_of_mass: [0.1, 0.2, 0.3]
+    inertia: {ixx: 2, iyy: 2.2, izz: 2.4, ixy: 0.1, ixz: 0.05, iyz: -0.1}
+    orientation: [0.5, 0.5, 0.5, 0.5]
+)";
+  for (const char* pivot : {"", "    pivot: {point: [0.7, -0.4, 0.2]}\n"}) {
+    const auto readBack = [&](const std::string& key, const SceneValue& value) {
+      const std::string path = "bodies.box." + key;
+      VariedScene scene(body + pivot, contextOf("scene.yaml"), studyVarying({path}));
+      scene.set(0, value);
+      const World world = buildWorld(scene.scene());
+      return ReadBack(path, scene.bodyOf(0))
+          .numbers(scene.scene(), world, initialState(scene.scene(), world))
+          .value_or(std::vector<double>());
+    };
+    for (const auto& [key, value] : cases) {
+      const std::vector<double> read = readBack(key, number(std::to_string(value)));
+      ASSERT_EQ(read.size(), 1U) << key;
+      EXPECT_NEAR(read.front(), value, 1e-14) << key << pivot;
+    }
+    const std::vector<double> q = {0.1, -0.7, 0.1, 0.7},
+                              read = readBack("orientation",
+                                              {{{"0.1"}, {"-0.7"}, {"0.1"}, {"0.7"}}, true});
+    ASSERT_EQ(read.size(), 4U);
+    const double sign = read[3] < 0 ? -1 : 1;
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(sign * read[i], q[i], 1e-14) << pivot;
+  }
+}
+
 TEST(ReadBack, ShowsAValueThatTheWorldDoesNotHave) {
   EXPECT_EQ(asReadBack(number("2"), std::vector<double>{2 + 1e-13}).words[0].text, "2");
   EXPECT_EQ(asReadBack(number("2"), std::vector<double>{2.5}).words[0].text, "2.5");

@@ -24,9 +24,9 @@ TEST(SweepProgram, SaysInOneLineWhatIsAtFault) {
   EXPECT_EQ(fault("runs: 2\nvary: {bodies.ball.mass: {list: [1, heavy]}}"),
             bad + ":2: vary: 'bodies.ball.mass' cannot be heavy: " + scene +
                 ":5: body 'ball': mass must be a number [kg], got heavy");
-  EXPECT_EQ(fault("runs: 2\nvary: {bodies.ball.mass: {normal: {mean: -1, stddev: 1}}}"),
-            bad + ":2: vary: 'bodies.ball.mass' cannot be -1: " + scene +
-                ":5: body 'ball': mass must be > 0 kg, got -1");
+  EXPECT_EQ(fault("runs: 2\nvary: {bodies.ball.mass: {normal: {mean: -5, stddev: 1}}}"),
+            bad + ":2: vary: 'bodies.ball.mass' cannot be -5: " + scene +
+                ":5: body 'ball': mass must be > 0 kg, got -5");
   EXPECT_EQ(fault("runs: 2\nvary: {bodies.bell.mass: {list: [1, 2]}}"),
             bad + ":2: vary: 'bodies.bell.mass' is not in " + scene +
                 "; the nearest that is: 'bodies.ball.mass'");
@@ -40,7 +40,60 @@ TEST(SweepProgram, SaysInOneLineWhatIsAtFault) {
   const test::Outcome no_directory =
       sweep(scene + " " + files.written("good.yaml", good) + " --out " + files.path("file"));
   EXPECT_EQ(no_directory.exit_code, 1);
-  EXPECT_NE(no_directory.out.find(files.path("file")), std::string::npos) << no_directory.out;
+  EXPECT_EQ(no_directory.out,
+            "sweep: " + files.path("file") + ": cannot be created: Not a directory\n");
+  // a value that is reached after many others
+  std::string values;
+  for (int i = 1; i <= 1500; ++i) values += std::to_string(i) + ", ";
+  EXPECT_NE(fault("runs: 2\nvary: {bodies.ball.mass: {list: [" + values + "-1]}}")
+                .find("'bodies.ball.mass' cannot be -1: "),
+            std::string::npos);
+}
+
+TEST(SweepProgram, MakesRowsOfDrawsThatBreakARuleWhateverTheMean) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", test::kPushedBall);
+  for (const char* mass : {"normal: {mean: 0, stddev: 1}", "uniform: [-1, 1]"}) {
+    const std::string study = files.written(
+        "study.yaml", "runs: 40\nvary: {bodies.ball.mass: {" + std::string(mass) + "}}");
+    const test::Outcome run = sweep(scene + " " + study + " --out " + files.path("out"));
+    ASSERT_EQ(run.exit_code, 0) << run.out;
+    const auto statuses = test::tableAt(files.path("out/runs.csv")).at("status");
+    const auto done = std::count(statuses.begin(), statuses.end(), "done");
+    EXPECT_EQ(statuses.size(), 40U);
+    EXPECT_GT(done, 5);
+    EXPECT_LT(done, 35);
+  }
+}
+
+// What is tried before the runs is no reason to make none.
+TEST(SweepProgram, GoesOnWhereATriedValueDiverges) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", R"(time_step: 0.5
+horizon: 1
+bodies: [{name: rocket, shape: {sphere: {radius: 1}}, mass: 1.0e-300, visual: {color: [1, 0, 0, 1]}}]
+wrenches: [{body: rocket, frame: world, force: [1.0e300, 0, 0], start: 0, duration: 1000}]
+)");
+  const std::string study = files.written(
+      "study.yaml", "runs: 2\nvary: {'bodies.rocket.visual.color[0]': {list: [0.1, 1]}}");
+  const test::Outcome run = sweep(scene + " " + study + " --out " + files.path("out"));
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  for (const std::string& status : test::tableAt(files.path("out/runs.csv")).at("status"))
+    EXPECT_EQ(status.rfind("diverged: ", 0), 0U) << status;
+}
+
+TEST(SweepProgram, VariesATimeStepOnlyWhereItIsTaken) {
+  const TemporaryDirectory files;
+  const auto run = [&](const std::string& scene, const std::string& more) {
+    return sweep(
+        files.written("scene.yaml", scene) + " " +
+        files.written("study.yaml", "runs: 1\nvary: {time_step: {grid: [0.01, 0.02]}}\n" + more) +
+        " --out " + files.path("out"));
+  };
+  EXPECT_NE(run(test::kPushedBall, "").out.find("'time_step' varies nothing"), std::string::npos);
+  // extremes are looked for at time steps
+  EXPECT_EQ(run(test::kPushedBall, "record: {apex: {max: ball.pz}}").exit_code, 0);
+  EXPECT_EQ(run("integrator: rk4\n" + test::kPushedBall, "").exit_code, 0);
 }
 
 TEST(SweepProgram, RefusesAPathThatVariesNothing) {

@@ -113,10 +113,11 @@ TEST(SweepProgram, LeavesWholeRowsWhenInterrupted) {
   const std::string study = files.written("study.yaml", kBallStudy);
   const std::string runs = " --runs 3000000 --threads 2 --out " + files.path("out");
   // as soon as there are rows
-  const test::Outcome stopped = test::runCommand(
-      "bash -c 'set -m; " RIGID_BODY_SIM_SWEEP " " + scene + " " + study + runs +
-      " 2>&1 & until [ $(wc -l <" + files.path("out/runs.csv") +
-      " 2>/dev/null || echo 0) -gt 100 ]; do :; done 2>/dev/null; kill -INT $!; wait $!'");
+  const test::Outcome stopped =
+      test::runCommand("bash -c 'set -m; " RIGID_BODY_SIM_SWEEP " " + scene + " " + study + runs +
+                       " 2>&1 & until [ $(wc -l <" + files.path("out/runs.csv") +
+                       " 2>/dev/null || echo 0) -gt 100 ] || ! kill -0 $!; do sleep 0.01; done "
+                       "2>/dev/null; kill -INT $!; wait $!'");
   EXPECT_EQ(stopped.exit_code, 128 + 2) << stopped.out;
   EXPECT_NE(stopped.out.find("with --resume goes on"), std::string::npos) << stopped.out;
   const std::string rows = fileText(files.path("out/runs.csv"));
@@ -203,6 +204,21 @@ TEST(SweepProgram, WritesTheSceneOfARun) {
   EXPECT_EQ(sweep("--run 600 " + command).exit_code, 2);
 }
 
+TEST(SweepProgram, OverwritesNeitherSceneNorStudy) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("run_3.yaml", test::kPushedBall);
+  const std::string study = files.written("runs.1of2.csv", kBallStudy);
+  const std::string command = scene + " " + study + " --out " + files.path("");
+  for (const char* options : {" --run 3", " --shard 1/2"}) {
+    const test::Outcome run = sweep(command + options);
+    EXPECT_EQ(run.exit_code, 2) << run.out;
+    EXPECT_NE(run.out.find("are the same file"), std::string::npos) << run.out;
+    EXPECT_EQ(fileText(scene), test::kPushedBall);
+    EXPECT_EQ(fileText(study), kBallStudy);
+  }
+  EXPECT_EQ(sweep(command + " --run 4").exit_code, 0);
+}
+
 TEST(EveryShippedStudy, VariesTheSceneThatItNames) {
   int count = 0;
   for (const auto& file : std::filesystem::directory_iterator(RIGID_BODY_SIM_CONFIG "/studies")) {
@@ -240,6 +256,11 @@ TEST(SweepProgram, MergesNothingThatIsNotWhole) {
   EXPECT_NE(sweep("merge " + out).out.find("of 300 rows; finish it with --resume"),
             std::string::npos);
   EXPECT_FALSE(std::ifstream(out + "/runs.csv").good());
+  ASSERT_EQ(sweep(command + " --shard 2/2").exit_code, 0);
+  const std::string fan = fileText(out + "/fan.2of2.csv");
+  files.written("out/fan.2of2.csv", fan.substr(0, fan.size() / 2));
+  EXPECT_NE(sweep("merge " + out).out.find("fan.2of2.csv: has "), std::string::npos);
+  EXPECT_FALSE(std::ifstream(out + "/fan.csv").good());
 }
 
 }  // namespace rigid_body_sim

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <getopt.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "tools/common/state_at.hpp"
+#include "tools/sweep/solved_step.hpp"
+#include "tools/sweep/sweep_bench.hpp"
+#include "tools/sweep/sweep_options.hpp"
+#include "tools/sweep/sweep_pool.hpp"
+
+/// Parts of `sweep`, without the program.
+namespace rigid_body_sim {
+
+TEST(SweepOptions, HaveAThreadForEachCoreThatTheProcessMayUse) {
+  cpu_set_t all, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+  CPU_ZERO(&one);
+  for (std::size_t cpu = 0; CPU_COUNT(&one) == 0; ++cpu)
+    if (CPU_ISSET(cpu, &all)) CPU_SET(cpu, &one);
+  const auto threads = [] {
+    std::string words[] = {"sweep", "scene.yaml", "study.yaml"};
+    char* argv[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
+    optind = 0;  // of a parser that was used before
+    return parseSweepOptions(3, argv, [](const char*) { return nullptr; }).threads;
+  };
+  EXPECT_EQ(threads(), CPU_COUNT(&all));
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(threads(), 1);
+  ASSERT_EQ(sched_setaffinity(0, sizeof all, &all), 0);
+}
+
+TEST(SweepPool, WritesNothingAfterAWriteThatFailed) {
+  SweepInputs inputs;
+  inputs.study =
+      parseStudy("runs: 5000\nvary: {bodies.ball.mass: {uniform: [1, 2]}}", "study.yaml");
+  inputs.scene_text = test::kPushedBall;
+  inputs.context.source = "scene.yaml";
+  std::vector<std::unique_ptr<SweepRunner>> runners;
+  for (int i = 0; i < 8; ++i) runners.push_back(std::make_unique<SweepRunner>(inputs));
+  const std::atomic<bool> stop{false};
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    int writes = 0;
+    const auto write = [&](const std::string&, const std::string&) {
+      ++writes;
+      // as slow as a full disk: the other threads come to wait for their turn
+      const auto begin = std::chrono::steady_clock::now();
+      while (std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(5)) {
+      }
+      throw std::runtime_error("the disk is full");
+    };
+    SweepPool pool(runners, Shard{}, write, stop);
+    EXPECT_THROW(pool.run(0, 5000, [](std::int64_t) {}), std::runtime_error);
+    ASSERT_EQ(writes, 1) << attempt;
+  }
+}
+
+// A step of 0.01 s against one of the whole 20 s, both by series to the same tolerance.
+TEST(QuickSimulation, TakesOneStepOfBodiesInAir) {
+  const Scene scene = parseScene(R"(gravity: [0, 0, -9.8]
+time_step: 0.01
+medium: {density: 1.2, velocity: [3, 1, 0]}
+bodies:
+  - name: box
+    shape: {box: [1.0, 0.5, 0.25]}
+    mass: 2
+    twist: {frame: world, linear: [1, 2, 3], angular: [0.2, 1.5, 0.4]}
+    drag: {linear: 0.1, quadratic: 0.05, angular: 0.02}
+wrenches:
+  - {body: box, frame: world, point: [0.1, 0, 0], force: [0, 0, 1], start: 0.505, duration: 1.255}
+)",
+                                 "scene.yaml");
+  const World world = buildWorld(scene);
+  const State initial = initialState(scene, world);
+  Simulation quick = quickSimulation(world, initial, 20), stepped(world, initial);
+  ASSERT_TRUE(everyMotionIsSolved(stepped));
+  EXPECT_EQ(quick.world().solver.time_step, 20);
+  const BodyState a = stateAt(quick, 20).bodies[0], b = stateAt(stepped, 20).bodies[0];
+  EXPECT_EQ(quick.steps(), 1);
+  EXPECT_LT((a.x_W - b.x_W).norm(), 1e-8);
+  EXPECT_LT((a.p_W - b.p_W).norm(), 1e-8);
+  EXPECT_LT(a.q_WP.angularDistance(b.q_WP), 1e-8);
+}
+
+// The point of the wrench turns, its force's axes do not: an integrator takes over.
+TEST(QuickSimulation, KeepsTheTimeStepOfWrenchesThatAreNotHeld) {
+  const Scene scene = parseScene(R"(time_step: 0.01
+bodies:
+  - {name: box, shape: {box: [1.0, 0.5, 0.25]}, mass: 2}
+wrenches:
+  - {body: box, frame: box, point_frame: world, point: [1, 0, 0], force: [0, 0, 1], start: 0.5, duration: 1}
+)",
+                                 "scene.yaml");
+  const World world = buildWorld(scene);
+  const Simulation quick = quickSimulation(world, initialState(scene, world), 2);
+  EXPECT_EQ(quick.world().solver.time_step, 0.01);
+}
+
+}  // namespace rigid_body_sim
