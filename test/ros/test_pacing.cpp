@@ -51,4 +51,30 @@ TEST(Pacer, CountsNoOverrunForAStepInTime) {
   EXPECT_EQ(pacer.overruns(), 0);
 }
 
+TEST(Pacer, GoesOnFromWhereTimeIsAtAnotherFactor) {
+  Pacer pacer(2);
+  pacer.restart(10, at(100));
+  pacer.setFactor(0.5, 10.9, at(100.5));  // 11 s are due
+  EXPECT_NEAR(pacer.wait(11, at(100.5)), 0, kNanosecond);
+  EXPECT_NEAR(pacer.wait(12, at(100.5)), 2, kNanosecond);
+}
+
+TEST(Pacer, KeepsABacklogThroughAChangeOfTheFactor) {
+  Pacer pacer(1);
+  pacer.restart(0, at(100));
+  pacer.setFactor(2, 0, at(100.2));  // 0.2 s late
+  pacer.begin(0.01, 0.01, at(100.2));
+  EXPECT_EQ(pacer.overruns(), 1);
+  EXPECT_NEAR(pacer.wait(0.4, at(100.2)), 0.1, kNanosecond);
+}
+
+TEST(Pacer, CountsFromTheTimeReachedAfterFactorZero) {
+  Pacer pacer(0);
+  pacer.restart(0, at(100));
+  pacer.setFactor(4, 50, at(101));
+  EXPECT_NEAR(pacer.wait(52, at(101)), 0.5, kNanosecond);
+  pacer.setFactor(0, 50, at(101));
+  EXPECT_LE(pacer.wait(1e9, at(101)), 0);
+}
+
 }  // namespace rigid_body_sim

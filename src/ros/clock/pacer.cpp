@@ -7,6 +7,12 @@ void Pacer::restart(double t, Clock::time_point now) {
   origin_ = now;
 }
 
+void Pacer::setFactor(double real_time_factor, double t, Clock::time_point now) {
+  const double elapsed = std::chrono::duration<double>(now - origin_).count();
+  restart(real_time_factor_ > 0 ? origin_t_ + elapsed * real_time_factor_ : t, now);
+  real_time_factor_ = real_time_factor;
+}
+
 double Pacer::wait(double t, Clock::time_point now) const {
   if (!(real_time_factor_ > 0)) return 0;
   const double elapsed = std::chrono::duration<double>(now - origin_).count();

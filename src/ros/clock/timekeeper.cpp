@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -56,6 +57,18 @@ void Timekeeper::waitForClock(ros::CallbackQueue& queue) const {
 }
 
 void Timekeeper::restart(double t) { pacer_.restart(t, Pacer::Clock::now()); }
+
+std::string Timekeeper::setRealTimeFactor(double factor, double t) {
+  if (!(factor >= 0) || !std::isfinite(factor)) {
+    std::ostringstream fault;
+    fault << "factor must be a finite number >= 0, got " << factor;
+    return fault.str();
+  }
+  if (clock_) return "this node follows the /clock of another node, which sets the pace";
+  options_.real_time_factor = factor;
+  pacer_.setFactor(factor, t, Pacer::Clock::now());
+  return "";
+}
 
 void Timekeeper::jumpTo(double t, const ros::Time& last_stamp, double h) {
   if (options_.publish_clock) return;

@@ -82,7 +82,9 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
                    [this](double t) { return time_.faultOfJump(t, outputs_.lastStamp()); }),
       pause_(queues_.private_nh.advertiseService("pause", &SimulationNode::pause, this)),
       step_(queues_.step_nh.advertiseService("step", &SimulationNode::stepPaused, this)),
-      reset_(queues_.private_nh.advertiseService("reset", &SimulationNode::reset, this)) {
+      reset_(queues_.private_nh.advertiseService("reset", &SimulationNode::reset, this)),
+      real_time_factor_(queues_.private_nh.advertiseService(
+          "set_real_time_factor", &SimulationNode::setRealTimeFactor, this)) {
   lockstep_.watchOthers(queues_.nh);
   for (const std::string& line : describeSolution(simulation_)) ROS_INFO("%s", line.c_str());
   for (const std::string& line : interfaceLines(movingNames(simulation_.world())))
@@ -183,6 +185,7 @@ void SimulationNode::report() {
   health.status.overruns = static_cast<std::uint64_t>(time_.overruns());
   health.status.refused = static_cast<std::uint64_t>(refusals_.count());
   health.status.paused = paused_;
+  health.status.requested_real_time_factor = time_.realTimeFactor();
   health.divergence = divergence_;
   monitor_.report(std::move(health), SteadyClock::now());
 }

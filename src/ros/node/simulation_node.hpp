@@ -9,6 +9,7 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <rigid_body_sim/SetRealTimeFactor.h>
 #include <rigid_body_sim/Step.h>
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
@@ -58,6 +59,8 @@ class SimulationNode {
 
   bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool stepPaused(Step::Request& request, Step::Response& response);
+  bool setRealTimeFactor(SetRealTimeFactor::Request& request,
+                         SetRealTimeFactor::Response& response);
   std::string stepFault() const;
   std::string lateMessages();
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -86,7 +89,7 @@ class SimulationNode {
   WindInterface wind_;
   StateServices states_;
   StateFiles state_files_;
-  ros::ServiceServer pause_, step_, reset_;
+  ros::ServiceServer pause_, step_, reset_, real_time_factor_;
 };
 
 }  // namespace rigid_body_sim

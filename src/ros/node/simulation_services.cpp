@@ -4,7 +4,7 @@
 
 #include "ros/node/simulation_node.hpp"
 
-/// The services ~pause, ~step and ~reset.
+/// The services ~pause, ~step, ~set_real_time_factor and ~reset.
 namespace rigid_body_sim {
 namespace {
 
@@ -81,6 +81,13 @@ std::string SimulationNode::stepFault() const {
   if (!paused_) return "not paused: ~step advances a paused simulation only";
   if (time_.isAhead(nextTime())) return "the next step would pass the clock that this node follows";
   return "";
+}
+
+bool SimulationNode::setRealTimeFactor(SetRealTimeFactor::Request& request,
+                                       SetRealTimeFactor::Response& response) {
+  response.message = time_.setRealTimeFactor(request.factor, outputs_.shownTime());
+  response.success = response.message.empty();
+  return true;
 }
 
 bool SimulationNode::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {

@@ -81,6 +81,7 @@ void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper&
   diagnostic.add("simulation time [s]", status.time);
   diagnostic.add("steps", status.steps);
   diagnostic.add("real-time factor reached", status.real_time_factor);
+  diagnostic.add("real-time factor requested", status.requested_real_time_factor);
   diagnostic.add("overruns", status.overruns);
   diagnostic.add("inputs refused", status.refused);
   diagnostic.add("wrenches that act or are to come", status.active_wrenches);

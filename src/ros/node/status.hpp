@@ -10,7 +10,8 @@
 
 namespace rigid_body_sim {
 
-/// How a run fares. The node fills in overruns, refused, paused and divergence; the rest follows
+/// How a run fares. The node fills in overruns, refused, paused,
+/// requested_real_time_factor and divergence; the rest follows
 /// from the simulation.
 struct Health {
   SimStatus status;
