@@ -25,8 +25,9 @@ Body bodyOf(const BodyDef& def) {
 }
 
 std::vector<PointWrench> wrenchesOf(const Scene& scene, const std::vector<Body>& bodies) {
-  const FrameTable frames(scene, bodies);
   std::vector<PointWrench> wrenches;
+  if (scene.wrenches.empty()) return wrenches;  // a table of many frames costs more than the bodies
+  const FrameTable frames(scene, bodies);
   for (std::size_t i = 0; i < scene.wrenches.size(); ++i) {
     const ResolvedWrench resolved = resolveWrench(scene.wrenches[i], bodies, frames);
     if (!resolved.fault.empty())
@@ -62,6 +63,7 @@ BodyFrameMotion motionOf(const BodyDef& def) {
 World buildWorld(const Scene& scene) {
   checkScene(scene);
   World world;
+  world.bodies.reserve(scene.bodies.size());
   for (const BodyDef& def : scene.bodies) world.bodies.push_back(bodyOf(def));
   if (scene.gravity) world.g_W = *scene.gravity;
   world.wrenches = wrenchesOf(scene, world.bodies);
@@ -80,6 +82,7 @@ World buildWorld(const Scene& scene) {
 State initialState(const Scene& scene, const World& world) {
   assert(scene.bodies.size() == world.bodies.size());
   State state;
+  state.bodies.reserve(world.bodies.size());
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const BodyDef& def = scene.bodies[i];
     state.bodies.push_back(toBodyState(world.bodies[i], motionOf(def)));

@@ -29,21 +29,21 @@ Entry Entry::child(const YamlNode& node) const& {
 }
 
 Entry Entry::item(std::size_t number) const& {
-  Entry entry = child(node_->children[number]);
+  Entry entry = child(node_->children()[number]);
   entry.item_ = number;
   return entry;
 }
 
 std::vector<Entry> Entry::items(const std::string& rule) const& {
-  if (node_->kind != YamlNode::Kind::kList) failRule(rule);
+  if (node_->kind() != YamlNode::Kind::kList) failRule(rule);
   std::vector<Entry> entries;
-  entries.reserve(node_->children.size());
-  for (std::size_t i = 0; i < node_->children.size(); ++i) entries.push_back(item(i));
+  entries.reserve(node_->children().size());
+  for (std::size_t i = 0; i < node_->children().size(); ++i) entries.push_back(item(i));
   return entries;
 }
 
 void Entry::checkCount(std::size_t most, const std::string& things) const {
-  const std::size_t count = node_->children.size();
+  const std::size_t count = node_->children().size();
   if (count > most)
     fail((key().empty() ? "" : key() + " ") + "must hold at most " + std::to_string(most) + " " +
          things + ", got " + std::to_string(count));
@@ -53,7 +53,7 @@ std::string Entry::key() const {
   if (!parent_) return "";
   const std::string before = parent_->key();
   if (item_ != kNoItem) return before + "[" + std::to_string(item_) + "]";
-  return (before.empty() ? "" : before + ".") + std::string(node_->key);
+  return (before.empty() ? "" : before + ".") + std::string(node_->key());
 }
 
 const std::string& Entry::place() const { return parent_ ? parent_->place() : place_; }
@@ -67,7 +67,7 @@ void Entry::fail(const std::string& message) const {
 }
 
 std::string Entry::located(const std::string& message) const {
-  return context_->source + ":" + std::to_string(node_->line) + ": " +
+  return context_->source + ":" + std::to_string(node_->line()) + ": " +
          (place().empty() ? "" : place() + ": ") + message;
 }
 
@@ -76,14 +76,14 @@ void Entry::note(const std::string& message) const {
 }
 
 void refuseKeys(const Entry& value, const std::vector<KeyName>& known) {
-  if (value.node().kind != YamlNode::Kind::kMapping) {
+  if (value.node().kind() != YamlNode::Kind::kMapping) {
     if (value.key().empty()) value.failRule("a mapping is expected");
     value.fail(value.key() + " must be a mapping, got " + printable(value.node()) +
                " (keys: " + namesOf(known) + ")");
   }
-  for (const YamlNode& node : value.node().children) {
+  for (const YamlNode& node : value.node().children()) {
     const bool is_known = std::any_of(known.begin(), known.end(),
-                                      [&](const KeyName& key) { return key.name == node.key; });
+                                      [&](const KeyName& key) { return key.name == node.key(); });
     const Entry child = value.child(node);
     if (!is_known)
       child.fail("unknown key '" + printable(child.key()) + "' (known: " + namesOf(known) + ")");

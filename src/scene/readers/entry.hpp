@@ -90,15 +90,18 @@ template <class Def>
 void readMapping(const Entry& mapping, const std::vector<Key<Def>>& keys, Def& def) {
   const auto keyOf = [&](const YamlNode& node) {
     return std::find_if(keys.begin(), keys.end(),
-                        [&](const Key<Def>& key) { return key.name == node.key; });
+                        [&](const Key<Def>& key) { return key.name == node.key(); });
   };
-  const std::vector<YamlNode>& values = mapping.node().children;
-  const bool known = std::all_of(values.begin(), values.end(),
-                                 [&](const YamlNode& value) { return keyOf(value) != keys.end(); });
-  const bool complete = std::all_of(keys.begin(), keys.end(), [&](const Key<Def>& key) {
-    return !key.required || mapping.node().find(key.name);
-  });
-  if (mapping.node().kind != YamlNode::Kind::kMapping || !known || !complete) {
+  const YamlNodes<const YamlNode> values = mapping.node().children();
+  bool faulty = mapping.node().kind() != YamlNode::Kind::kMapping;
+  auto missing =
+      std::count_if(keys.begin(), keys.end(), [](const auto& key) { return key.required; });
+  for (const YamlNode& value : values) {  // none is repeated
+    const auto key = keyOf(value);
+    faulty |= key == keys.end();
+    missing -= key != keys.end() && key->required;
+  }
+  if (faulty || missing > 0) {
     std::vector<KeyName> names;
     for (const Key<Def>& key : keys) names.push_back({key.name, key.required});
     refuseKeys(mapping, names);

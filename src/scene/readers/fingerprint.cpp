@@ -13,10 +13,10 @@ void add(std::string_view text, Fnv1a& hash) {
 }
 
 void add(const YamlNode& node, Fnv1a& hash) {
-  hash.add(static_cast<unsigned char>(node.kind));
-  add(node.key, hash);
-  add(node.text, hash);
-  for (const YamlNode& child : node.children) add(child, hash);
+  hash.add(static_cast<unsigned char>(node.kind()));
+  add(node.key(), hash);
+  add(node.text(), hash);
+  for (const YamlNode& child : node.children()) add(child, hash);
   hash.add(static_cast<unsigned char>(0xfe));  // the end of a list or mapping
 }
 

@@ -24,20 +24,21 @@ std::string readWorldFrame(const Entry& value) {
   const YamlNode& node = value.node();
   std::size_t first = 0;
   for (std::size_t end = 0; end != std::string::npos; first = end + 1) {
-    end = node.text.find('/', first);
-    if (!isName(node.text.substr(first, end == std::string::npos ? end : end - first)))
+    end = node.text().find('/', first);
+    if (!isName(node.text().substr(first, end == std::string::npos ? end : end - first)))
       value.failRule("must be a frame name [A-Za-z][A-Za-z0-9_]*, parts joined by /");
   }
-  return std::string(node.text);
+  return std::string(node.text());
 }
 
 std::vector<BodyDef> readBodies(const Entry& value) {
   const std::string rule = "must be a list of at least one body";
   value.checkCount(kMaxBodies, "bodies");
   std::vector<BodyDef> bodies;
-  bodies.reserve(value.node().children.size());
-  for (const Entry& item : value.items(rule)) bodies.push_back(readBody(item));
-  if (bodies.empty()) value.failRule(rule);
+  const std::size_t count = value.node().children().size();
+  if (value.node().kind() != YamlNode::Kind::kList || count == 0) value.failRule(rule);
+  bodies.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) bodies.push_back(readBody(value.item(i)));
   return bodies;
 }
 
@@ -95,9 +96,11 @@ bool namesContact(const YamlNode& scene) {
   const YamlNode* forces = scene.find("forces");
   const auto isContact = [](const YamlNode& law) {
     const YamlNode* type = law.find("type");
-    return type && type->text == "contact";
+    return type && type->text() == "contact";
   };
-  return forces && std::any_of(forces->children.begin(), forces->children.end(), isContact);
+  if (!forces) return false;
+  const YamlNodes<const YamlNode> laws = forces->children();
+  return std::any_of(laws.begin(), laws.end(), isContact);
 }
 
 }  // namespace
@@ -111,7 +114,7 @@ Scene readScene(const YamlNode& tree, ReadContext& context) {
       {"integrator",
        [](const Entry& e, Scene& s) {
          s.integrator = readIntegrator(e);
-         s.integrator_line = e.node().line;
+         s.integrator_line = e.node().line();
        }},
       {"tolerance",
        [](const Entry& e, Scene& s) {
@@ -154,8 +157,8 @@ Scene loadScene(const std::string& path, const PackageFinder& find_package) {
   context.source = path;
   context.directory = std::filesystem::path(path).parent_path();
   context.find_package = find_package;
-  const std::string text = readFile(path, "scene file", kMaxSceneBytes);
-  return readScene(parseYaml(text, path).root, context);
+  const YamlDocument document = parseYaml(readFile(path, "scene file", kMaxSceneBytes), path);
+  return readScene(document.root, context);
 }
 
 }  // namespace rigid_body_sim

@@ -37,7 +37,7 @@ LimitsDef readLimits(const Entry& value, const std::string& unit) {
 
 /// Whether a rotor turns negatively about its direction.
 bool readClockwise(const Entry& value) {
-  const std::string_view text = value.node().text;
+  const std::string_view text = value.node().text();
   if (text != "cw" && text != "ccw")
     value.failRule("must be cw or ccw, as seen against the direction");
   return text == "cw";
@@ -100,15 +100,15 @@ void readOne(const Entry& entry, WheelDef& wheel) {
 /// A mapping of names to actuators of one kind.
 template <class Def>
 std::vector<Def> readNamed(const Entry& entry) {
-  if (entry.node().kind != YamlNode::Kind::kMapping)
+  if (entry.node().kind() != YamlNode::Kind::kMapping)
     entry.failRule("must be a mapping of names to " + entry.key());
   entry.checkCount(kMaxActuators, entry.key());
   std::vector<Def> defs;
-  for (const YamlNode& node : entry.node().children) {
+  for (const YamlNode& node : entry.node().children()) {
     const Entry item = entry.child(node);
     Def def;
-    def.name = std::string(node.key);
-    def.line = node.line;
+    def.name = std::string(node.key());
+    def.line = node.line();
     if (!isName(def.name)) item.fail(entry.key() + ": '" + printable(def.name) + "' " + nameRule());
     readOne(item, def);
     defs.push_back(def);
@@ -135,7 +135,7 @@ CommandDef readCommand(const Entry& list_item) {
   const Entry entry = list_item.as(list_item.key());
   CommandDef command;
   readMapping(entry, keys, command);
-  command.line = entry.node().line;
+  command.line = entry.node().line();
   return command;
 }
 

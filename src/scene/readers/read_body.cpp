@@ -8,7 +8,7 @@ namespace {
 
 /// Whether a twist is given in body axes; the names of both frames stand for them, too.
 bool readTwistFrame(const Entry& value, const BodyDef& body) {
-  const std::string_view text = value.node().text;
+  const std::string_view text = value.node().text();
   if (text == "world") return false;
   if (text == "body" || text == body.name || text == frameOf(body)) return true;
   if (text == value.context().world_frame) return false;
@@ -22,7 +22,7 @@ TwistDef readTwist(const Entry& entry, const BodyDef& body) {
       {"angular", [](const Entry& e, TwistDef& t) { t.angular = readVector3(e, "rad/s"); }},
   };
   TwistDef twist;
-  twist.line = entry.node().line;
+  twist.line = entry.node().line();
   readMapping(entry, keys, twist);
   twist.names_linear = entry.node().find("linear") != nullptr;
   twist.in_body_axes = readTwistFrame(entry.child(*entry.node().find("frame")), body);
@@ -34,7 +34,7 @@ PivotDef readPivot(const Entry& entry) {
       {"point", [](const Entry& e, PivotDef& p) { p.point = readVector3(e, "m"); }, true},
   };
   PivotDef pivot;
-  pivot.line = entry.node().line;
+  pivot.line = entry.node().line();
   readMapping(entry, keys, pivot);
   return pivot;
 }
@@ -45,19 +45,20 @@ PointDef readPoint(const Entry& entry) {
       {"orientation", [](const Entry& e, PointDef& p) { p.orientation = readOrientation(e); }},
   };
   PointDef point;
-  point.name = std::string(entry.node().key);
-  point.line = entry.node().line;
+  point.name = std::string(entry.node().key());
+  point.line = entry.node().line();
   if (!isName(point.name)) entry.fail("points: '" + printable(point.name) + "' " + nameRule());
   readMapping(entry, keys, point);
   return point;
 }
 
 std::vector<PointDef> readPoints(const Entry& entry) {
-  if (entry.node().kind != YamlNode::Kind::kMapping)
+  if (entry.node().kind() != YamlNode::Kind::kMapping)
     entry.failRule("must be a mapping of names to frames");
   entry.checkCount(kMaxPoints, "points");
   std::vector<PointDef> points;
-  for (const YamlNode& node : entry.node().children) points.push_back(readPoint(entry.child(node)));
+  for (const YamlNode& node : entry.node().children())
+    points.push_back(readPoint(entry.child(node)));
   return points;
 }
 
@@ -71,7 +72,7 @@ Color readColor(const Entry& value) {
 
 /// A factor, or one for each axis.
 Vector3d readScale(const Entry& value) {
-  if (value.node().kind != YamlNode::Kind::kList)
+  if (value.node().kind() != YamlNode::Kind::kList)
     return Vector3d::Constant(readPositive(value, ""));
   const std::string rule = "must be a number or a list of 3 numbers";
   const std::vector<Entry> items = value.items(rule);
@@ -101,13 +102,13 @@ VisualDef readVisual(const Entry& entry) {
 
 void readBodyName(const Entry& value, BodyDef& body) {
   body.name = readName(value);
-  body.line = value.node().line;
+  body.line = value.node().line();
 }
 
 /// The body by its name as far as it can be told, else by its place in the list.
 std::string placeOf(const Entry& entry) {
   const YamlNode* name = entry.node().find("name");
-  return name && isName(name->text) ? "body '" + std::string(name->text) + "'" : entry.key();
+  return name && isName(name->text()) ? "body '" + std::string(name->text()) + "'" : entry.key();
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace {
 
 std::variant<Shape, HullDef> readTouchingGeometry(const Entry& shape) {
   const YamlNode* mesh = shape.node().find("mesh");
-  if (mesh && shape.node().children.size() == 1) return readHullDef(shape.child(*mesh));
+  if (mesh && shape.node().children().size() == 1) return readHullDef(shape.child(*mesh));
   return std::get<Shape>(readGeometry(shape));  // which refuses a mesh beside another shape
 }
 

@@ -1,3 +1,4 @@
+#include <initializer_list>
 #include <optional>
 
 #include "scene/build/body_mass.hpp"
@@ -8,16 +9,19 @@ namespace rigid_body_sim {
 namespace {
 
 /// Refuses the keys that stand in the mapping.
-void refuse(const Entry& mapping, const std::vector<const char*>& keys, const std::string& rule) {
+void refuse(const Entry& mapping, std::initializer_list<const char*> keys, const char* rule) {
   for (const char* key : keys) {
     if (const YamlNode* node = mapping.node().find(key)) mapping.child(*node).failRule(rule);
   }
 }
 
 /// As refuse, for keys whose values follow from that of the key `source`.
-void refuseGiven(const Entry& mapping, const std::vector<const char*>& keys,
+void refuseGiven(const Entry& mapping, std::initializer_list<const char*> keys,
                  std::string_view source) {
-  refuse(mapping, keys, "cannot stand beside " + std::string(source) + ", which gives it");
+  for (const char* key : keys)
+    if (const YamlNode* node = mapping.node().find(key))
+      mapping.child(*node).failRule("cannot stand beside " + std::string(source) +
+                                    ", which gives it");
 }
 
 [[noreturn]] void failMissing(const Entry& mapping, const std::string& what) {
@@ -34,8 +38,8 @@ std::optional<double> readOptional(const Entry& mapping, const char* key, const 
 bool readBalance(const Entry& body) {
   const YamlNode* node = body.node().find("impossible_inertia");
   if (!node) return false;
-  if (node->text == "balance") return true;
-  if (node->text != "refuse") body.child(*node).failRule("must be refuse or balance");
+  if (node->text() == "balance") return true;
+  if (node->text() != "refuse") body.child(*node).failRule("must be refuse or balance");
   return false;
 }
 
@@ -99,7 +103,7 @@ PartDef readPart(const Entry& entry, bool balance) {
   };
   PartDef part;
   readMapping(entry, keys, part);
-  part.line = entry.node().line;
+  part.line = entry.node().line();
   const MassKeys mass = readMassKeys(entry, balance);
   if (entry.node().find("shape"))
     part.content = readSolid(entry, mass);
@@ -142,8 +146,8 @@ const YamlNode& compositionKey(const Entry& body) {
   const YamlNode* found = nullptr;
   for (const char* key : {"shape", "parts", "particles", "urdf", "inertia"}) {
     const YamlNode* node = body.node().find(key);
-    if (node && found && node->key != "inertia")
-      body.child(*node).failRule("cannot stand beside " + std::string(found->key) +
+    if (node && found && node->key() != "inertia")
+      body.child(*node).failRule("cannot stand beside " + std::string(found->key()) +
                                  ", as a body is made of one of them");
     if (!found) found = node;
   }
@@ -155,7 +159,9 @@ const YamlNode& compositionKey(const Entry& body) {
 }
 
 /// Whether the value of `shape` names a plane and nothing else.
-bool namesPlane(const YamlNode& shape) { return shape.find("plane") && shape.children.size() == 1; }
+bool namesPlane(const YamlNode& shape) {
+  return shape.find("plane") && shape.children().size() == 1;
+}
 
 /// The mapping of the body names a plane as its shape.
 PlaneDef readPlane(const Entry& mapping) {
@@ -163,22 +169,22 @@ PlaneDef readPlane(const Entry& mapping) {
          "cannot stand beside shape.plane, which has no mass");
   const Entry shape = mapping.child(*mapping.node().find("shape"));
   const Entry plane = shape.child(*shape.node().find("plane"));
-  if (plane.node().kind != YamlNode::Kind::kMapping || !plane.node().children.empty())
+  if (plane.node().kind() != YamlNode::Kind::kMapping || !plane.node().children().empty())
     plane.failRule("must be {}: it is the plane z = 0 of the body frame");
   return {};
 }
 
 CompositionDef compositionOf(const Entry& entry, const YamlNode& key, const MassKeys& mass,
                              BodyDef& body) {
-  if (key.key == "inertia") return readGiven(entry, mass);
-  if (key.key == "shape" || key.key == "particles")
+  if (key.key() == "inertia") return readGiven(entry, mass);
+  if (key.key() == "shape" || key.key() == "particles")
     refuse(entry, {"impossible_inertia"}, "goes with inertia, parts or urdf");
-  if (key.key == "shape" && namesPlane(key)) return readPlane(entry);
-  if (key.key == "shape") return readSolid(entry, mass);
-  refuseGiven(entry, {"inertia", "center_of_mass", "mass", "density"}, key.key);
+  if (key.key() == "shape" && namesPlane(key)) return readPlane(entry);
+  if (key.key() == "shape") return readSolid(entry, mass);
+  refuseGiven(entry, {"inertia", "center_of_mass", "mass", "density"}, key.key());
   const Entry value = entry.child(key);
-  if (key.key == "parts") return readParts(value, mass.balance);
-  if (key.key == "particles") return readParticles(value);
+  if (key.key() == "parts") return readParts(value, mass.balance);
+  if (key.key() == "particles") return readParticles(value);
   const bool touches = entry.context().has_contact && !body.collision;
   LinkedBody linked = readLink(value, {mass.balance, touches});
   body.points.insert(body.points.end(), linked.points.begin(), linked.points.end());
@@ -192,7 +198,7 @@ void readComposition(const Entry& entry, BodyDef& body) {
   const MassKeys mass = readMassKeys(entry, readBalance(entry));
   const YamlNode& key = compositionKey(entry);
   body.composition = compositionOf(entry, key, mass, body);
-  body.composition_line = key.line;
+  body.composition_line = key.line();
 }
 
 }  // namespace rigid_body_sim

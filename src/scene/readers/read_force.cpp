@@ -10,7 +10,7 @@ SpringEndDef readEnd(const Entry& entry) {
       {"world", [](const Entry& e, SpringEndDef& s) { s.point = readVector3(e, "m"); }},
   };
   SpringEndDef end;
-  end.line = entry.node().line;
+  end.line = entry.node().line();
   readMapping(entry, keys, end);
   const bool in_world = entry.node().find("world") != nullptr;
   if (in_world == (entry.node().find("body") != nullptr) ||
@@ -82,13 +82,13 @@ const std::vector<ForceType>& forceTypes() {
 
 ForceDef readForce(const Entry& list_item) {
   const Entry entry = list_item.as(list_item.key());
-  if (entry.node().kind != YamlNode::Kind::kMapping) entry.failRule("a mapping is expected");
+  if (entry.node().kind() != YamlNode::Kind::kMapping) entry.failRule("a mapping is expected");
   const YamlNode* type = entry.node().find("type");
   if (!type) entry.fail("missing key 'type'");
   std::string names;
   for (const ForceType& known : forceTypes()) {
-    if (type->kind == YamlNode::Kind::kScalar && type->text == known.name)
-      return {known.read(entry), entry.node().line};
+    if (type->kind() == YamlNode::Kind::kScalar && type->text() == known.name)
+      return {known.read(entry), entry.node().line()};
     names += (names.empty() ? "" : ", ") + std::string(known.name);
   }
   entry.child(*type).failRule("must be one of " + names);

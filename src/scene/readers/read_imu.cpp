@@ -47,8 +47,8 @@ ImuDef readOne(const Entry& entry) {
        [](const Entry& e, Imu& i) { i.accelerometer = readSensor<AccelerometerUnits>(e); }},
   };
   ImuDef def;
-  def.imu.name = std::string(entry.node().key);
-  def.line = entry.node().line;
+  def.imu.name = std::string(entry.node().key());
+  def.line = entry.node().line();
   if (!isName(def.imu.name)) entry.fail("imus: '" + printable(def.imu.name) + "' " + nameRule());
   readMapping(entry, keys, def.imu);
   return def;
@@ -57,11 +57,11 @@ ImuDef readOne(const Entry& entry) {
 }  // namespace
 
 std::vector<ImuDef> readImus(const Entry& entry) {
-  if (entry.node().kind != YamlNode::Kind::kMapping)
+  if (entry.node().kind() != YamlNode::Kind::kMapping)
     entry.failRule("must be a mapping of names to IMUs");
   entry.checkCount(kMaxImus, "imus");
   std::vector<ImuDef> imus;
-  for (const YamlNode& node : entry.node().children) imus.push_back(readOne(entry.child(node)));
+  for (const YamlNode& node : entry.node().children()) imus.push_back(readOne(entry.child(node)));
   return imus;
 }
 

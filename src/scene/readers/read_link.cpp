@@ -90,8 +90,8 @@ std::vector<PointDef> pointsOf(const Entry& entry, const std::vector<PlacedLink>
   for (const PlacedLink& placed : links) {
     const std::string& name = placed.link->name;
     if (isFrameName(name))
-      points.push_back(
-          {name, placed.X_BL.translation(), Quaterniond(placed.X_BL.linear()), entry.node().line});
+      points.push_back({name, placed.X_BL.translation(), Quaterniond(placed.X_BL.linear()),
+                        entry.node().line()});
     else
       entry.note("link '" + printable(name) + "' becomes no frame: its name " + frameNameRule());
   }

@@ -6,7 +6,7 @@ namespace {
 
 /// One number, alike in every direction, or three, along the axes of the body frame.
 void readDragKey(const Entry& value, const std::string& unit, double& alike, Vector3d& axes) {
-  if (value.node().kind != YamlNode::Kind::kList) {
+  if (value.node().kind() != YamlNode::Kind::kList) {
     alike = readNotNegative(value, unit);
     return;
   }
@@ -49,12 +49,12 @@ std::optional<BuoyancyDef> readBuoyancy(const Entry& entry) {
       {"center", [](const Entry& e, BuoyancyDef& b) { b.center = readVector3(e, "m"); }},
   };
   BuoyancyDef buoyancy;
-  buoyancy.line = entry.node().line;
-  if (entry.node().kind == YamlNode::Kind::kMapping) {
+  buoyancy.line = entry.node().line();
+  if (entry.node().kind() == YamlNode::Kind::kMapping) {
     readMapping(entry, keys, buoyancy);
     return buoyancy;
   }
-  if (entry.node().text != "true" && entry.node().text != "false")
+  if (entry.node().text() != "true" && entry.node().text() != "false")
     entry.failRule("must be true, false or {volume: .., center: [x, y, z]}");
   return readBoolean(entry) ? std::optional<BuoyancyDef>(buoyancy) : std::nullopt;
 }

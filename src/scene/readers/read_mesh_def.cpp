@@ -16,7 +16,7 @@ struct MeshEntry {
 };
 
 MeshSolid readMeshSolid(const Entry& value) {
-  const std::string_view name = value.node().text;
+  const std::string_view name = value.node().text();
   if (name == "surface") return MeshSolid::kSurface;
   if (name == "hull") return MeshSolid::kHull;
   if (name == "box") return MeshSolid::kBox;
@@ -67,7 +67,7 @@ const MeshDef& solidOf(const Entry& file, const MeshEntry& mesh) {
 }  // namespace
 
 Vector3d readMeshScale(const Entry& value) {
-  if (value.node().kind == YamlNode::Kind::kScalar)
+  if (value.node().kind() == YamlNode::Kind::kScalar)
     return Vector3d::Constant(readPositive(value, ""));
   const Vector3d scale = readVector3(value, "");
   if ((scale.array() == 0).any()) value.failRule("must be > 0 or three numbers other than 0");

@@ -61,7 +61,7 @@ SolidGeometry readGeometry(const Entry& entry) {
   };
   SolidGeometry geometry;
   readMapping(entry, keys, geometry);
-  const std::size_t count = entry.node().children.size();
+  const std::size_t count = entry.node().children().size();
   if (count != 1) entry.fail(entry.key() + " must name one shape, got " + std::to_string(count));
   return geometry;
 }

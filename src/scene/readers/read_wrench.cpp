@@ -16,7 +16,7 @@ WrenchDef readWrench(const Entry& list_item) {
   const Entry entry = list_item.as(list_item.key());
   WrenchDef wrench;
   readMapping(entry, keys, wrench);
-  wrench.line = entry.node().line;
+  wrench.line = entry.node().line();
   return wrench;
 }
 

@@ -23,7 +23,7 @@ bool looksLikeWFirst(const Quaterniond& q) { return q.x() * q.x() > 0.51; }
 
 void noteSuspicious(const Entry& entry, const BodyDef& body) {
   const YamlNode* orientation = entry.node().find("orientation");
-  const bool is_quaternion = orientation && orientation->kind == YamlNode::Kind::kList;
+  const bool is_quaternion = orientation && orientation->kind() == YamlNode::Kind::kList;
   const bool is_fast = isFast(body.twist.angular);
   const bool is_flipped = is_quaternion && looksLikeWFirst(body.orientation);
   if (!is_fast && !is_flipped) return;

@@ -42,20 +42,20 @@ bool isDecimal(std::string_view text) {
 
 /// The number that a plain scalar stands for, .inf and .nan included; none where it is no number.
 std::optional<double> numberIn(const YamlNode& node) {
-  if (node.kind != YamlNode::Kind::kScalar || node.quoted) return std::nullopt;
+  if (node.kind() != YamlNode::Kind::kScalar || node.quoted()) return std::nullopt;
   constexpr double kInf = std::numeric_limits<double>::infinity();
-  const bool negative = !node.text.empty() && node.text[0] == '-';
-  const bool has_sign = negative || (!node.text.empty() && node.text[0] == '+');
-  const std::string_view magnitude = node.text.substr(has_sign ? 1 : 0);
+  const bool negative = !node.text().empty() && node.text()[0] == '-';
+  const bool has_sign = negative || (!node.text().empty() && node.text()[0] == '+');
+  const std::string_view magnitude = node.text().substr(has_sign ? 1 : 0);
   if (magnitude == ".inf" || magnitude == ".Inf" || magnitude == ".INF")
     return negative ? -kInf : kInf;
-  if (node.text == ".nan" || node.text == ".NaN" || node.text == ".NAN")
+  if (node.text() == ".nan" || node.text() == ".NaN" || node.text() == ".NAN")
     return std::numeric_limits<double>::quiet_NaN();
-  if (!isDecimal(node.text)) return std::nullopt;
+  if (!isDecimal(node.text())) return std::nullopt;
 
   // infinite where it does not fit into a double
   double number = 0;
-  readNumberText(node.text.data(), node.text.data() + node.text.size(), number);
+  readNumberText(node.text().data(), node.text().data() + node.text().size(), number);
   return number;
 }
 
@@ -77,21 +77,21 @@ std::string bracketed(const std::string& unit) { return unit.empty() ? "" : " ["
 
 bool readBoolean(const Entry& value) {
   const YamlNode& node = value.node();
-  const bool plain = node.kind == YamlNode::Kind::kScalar && !node.quoted;
-  if (plain && node.text == "true") return true;
-  if (plain && node.text == "false") return false;
+  const bool plain = node.kind() == YamlNode::Kind::kScalar && !node.quoted();
+  if (plain && node.text() == "true") return true;
+  if (plain && node.text() == "false") return false;
   value.failRule("must be true or false");
 }
 
 std::string readText(const Entry& value) {
-  if (value.node().kind != YamlNode::Kind::kScalar || value.node().text.empty())
+  if (value.node().kind() != YamlNode::Kind::kScalar || value.node().text().empty())
     value.failRule("must be a text");
-  return std::string(value.node().text);
+  return std::string(value.node().text());
 }
 
 std::string readTextOrNone(const Entry& value) {
   const YamlNode& node = value.node();
-  const bool none = node.kind == YamlNode::Kind::kScalar && node.text.empty();
+  const bool none = node.kind() == YamlNode::Kind::kScalar && node.text().empty();
   return none ? std::string() : readText(value);
 }
 
@@ -109,9 +109,9 @@ std::string nameRule() {
 }
 
 std::string readName(const Entry& value) {
-  if (value.node().kind != YamlNode::Kind::kScalar || !isName(value.node().text))
+  if (value.node().kind() != YamlNode::Kind::kScalar || !isName(value.node().text()))
     value.failRule(nameRule());
-  return std::string(value.node().text);
+  return std::string(value.node().text());
 }
 
 bool isFrameName(std::string_view text) {
@@ -131,9 +131,9 @@ std::string frameNameRule() {
 }
 
 std::string readFrameName(const Entry& value) {
-  if (value.node().kind != YamlNode::Kind::kScalar || !isFrameName(value.node().text))
+  if (value.node().kind() != YamlNode::Kind::kScalar || !isFrameName(value.node().text()))
     value.failRule(frameNameRule());
-  return std::string(value.node().text);
+  return std::string(value.node().text());
 }
 
 double readNumber(const Entry& value, const std::string& unit) {
@@ -144,11 +144,11 @@ double readNumber(const Entry& value, const std::string& unit) {
 }
 
 std::uint64_t readWhole(const Entry& value, std::uint64_t least, std::uint64_t most) {
-  const std::string_view text = value.node().text;
+  const std::string_view text = value.node().text();
   const char* const end = text.data() + text.size();
   std::uint64_t number = 0;
   const auto [rest, error] = std::from_chars(text.data(), end, number);
-  const bool plain = value.node().kind == YamlNode::Kind::kScalar && !value.node().quoted;
+  const bool plain = value.node().kind() == YamlNode::Kind::kScalar && !value.node().quoted();
   if (!plain || text.empty() || rest != end || error != std::errc() || number < least ||
       number > most)
     value.failRule(
@@ -185,7 +185,7 @@ double readDuration(const Entry& value) {
 
 std::vector<double> readNumbers(const Entry& value, std::size_t count, const std::string& unit) {
   // the rule is put together only when it is broken: a sweep reads values a million times
-  if (value.node().kind != YamlNode::Kind::kList || value.node().children.size() != count)
+  if (value.node().kind() != YamlNode::Kind::kList || value.node().children().size() != count)
     value.failRule("must be a list of " + std::to_string(count) + " numbers" + bracketed(unit));
   std::vector<double> numbers;
   numbers.reserve(count);
@@ -199,7 +199,7 @@ Vector3d readVector3(const Entry& value, const std::string& unit) {
 }
 
 Quaterniond readOrientation(const Entry& value) {
-  if (value.node().kind == YamlNode::Kind::kMapping) return readRollPitchYaw(value);
+  if (value.node().kind() == YamlNode::Kind::kMapping) return readRollPitchYaw(value);
   const std::vector<double> q = readNumbers(value, 4, "");
   const Quaterniond quaternion(q[3], q[0], q[1], q[2]);
   if (!isNearlyUnit(quaternion)) {

@@ -111,9 +111,9 @@ void readBodies(const Entry& value, const World& world, const BodyIndex& index, 
   const std::vector<Entry> items = value.items("must be a list of bodies");
   for (std::size_t i = 0; i < items.size() && i < count; ++i) {
     const YamlNode* name = items[i].node().find("name");
-    if (name && name->text != world.bodies[i].name)
+    if (name && name->text() != world.bodies[i].name)
       items[i].fail("body " + std::to_string(i + 1) + " must be '" + world.bodies[i].name +
-                    "', as in this scene, got '" + printable(std::string(name->text)) +
+                    "', as in this scene, got '" + printable(std::string(name->text())) +
                     "': the state is of another scene");
   }
   if (items.size() != count)
@@ -193,7 +193,7 @@ const std::vector<Key<Whole>>& keysOfState() {
        true},
       {"groups",
        [](const Entry& e, Whole& s) {
-         if (e.node().kind == YamlNode::Kind::kEmpty) return;  // nothing moves
+         if (e.node().kind() == YamlNode::Kind::kEmpty) return;  // nothing moves
          for (const Entry& item : e.items("must be a list of groups"))
            s.value.plans.push_back(readGroup(item, s.world, s.index));
        },

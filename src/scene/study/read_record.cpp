@@ -34,12 +34,12 @@ void readFirst(const Entry& entry, RecordDef& record) {
       {"above", [](const Entry& e, RecordDef& r) { r.level = readNumber(e, ""); }},
   };
   record.reduction = Reduction::kFirst;
-  if (entry.node().kind != YamlNode::Kind::kMapping || entry.node().children.size() != 1)
+  if (entry.node().kind() != YamlNode::Kind::kMapping || entry.node().children().size() != 1)
     entry.failRule("must be one quantity with a level, such as {box.pz: {below: 0}}");
-  const Entry level = entry.child(entry.node().children.front());
-  record.quantity = quantityIn(level, level.node().key);
+  const Entry level = entry.child(entry.node().children().front());
+  record.quantity = quantityIn(level, level.node().key());
   readMapping(level, keys, record);
-  if (level.node().children.size() != 1) level.failRule("must name one of below and above");
+  if (level.node().children().size() != 1) level.failRule("must name one of below and above");
 }
 
 RecordDef readRecord(const Entry& entry) {
@@ -54,11 +54,11 @@ RecordDef readRecord(const Entry& entry) {
       {"first", [](const Entry& e, RecordDef& r) { readFirst(e, r); }},
   };
   RecordDef record;
-  record.name = std::string(entry.node().key);
-  record.line = entry.node().line;
+  record.name = std::string(entry.node().key());
+  record.line = entry.node().line();
   if (!isName(record.name)) entry.fail("record: '" + printable(record.name) + "' " + nameRule());
   readMapping(entry, keys, record);
-  if (entry.node().children.size() != 1)
+  if (entry.node().children().size() != 1)
     entry.failRule("must name one of max, min, at_end and first");
   return record;
 }
@@ -66,16 +66,16 @@ RecordDef readRecord(const Entry& entry) {
 }  // namespace
 
 std::vector<RecordDef> readRecords(const Entry& entry) {
-  if (entry.node().kind != YamlNode::Kind::kMapping)
+  if (entry.node().kind() != YamlNode::Kind::kMapping)
     entry.failRule("must be a mapping of names to what is recorded");
   entry.checkCount(kMaxRecords, "records");
   static const std::vector<std::string> taken = {"run", "attitude_error", "position_error",
                                                  "status"};
   std::vector<RecordDef> records;
-  for (const YamlNode& node : entry.node().children) {
+  for (const YamlNode& node : entry.node().children()) {
     const Entry record = entry.child(node);
-    if (std::find(taken.begin(), taken.end(), node.key) != taken.end())
-      record.fail("record: '" + std::string(node.key) + "' is a column that every sweep has");
+    if (std::find(taken.begin(), taken.end(), node.key()) != taken.end())
+      record.fail("record: '" + std::string(node.key()) + "' is a column that every sweep has");
     records.push_back(readRecord(record));
   }
   return records;

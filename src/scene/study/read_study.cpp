@@ -15,11 +15,11 @@ SceneValue readValue(const Entry& value) {
   using Kind = YamlNode::Kind;
   SceneValue read;
   const auto add = [&](const Entry& entry) {
-    if (entry.node().kind != Kind::kScalar)
+    if (entry.node().kind() != Kind::kScalar)
       entry.failRule("must be a number, a word or a list of these");
-    read.words.push_back({std::string(entry.node().text), entry.node().quoted});
+    read.words.push_back({std::string(entry.node().text()), entry.node().quoted()});
   };
-  read.is_list = value.node().kind == Kind::kList;
+  read.is_list = value.node().kind() == Kind::kList;
   if (!read.is_list) {
     add(value);
     return read;
@@ -87,12 +87,12 @@ Distribution readDistribution(const Entry& entry) {
 }
 
 std::vector<Varied> readVary(const Entry& entry) {
-  if (entry.node().kind != YamlNode::Kind::kMapping || entry.node().children.empty())
+  if (entry.node().kind() != YamlNode::Kind::kMapping || entry.node().children().empty())
     entry.failRule("must be a mapping of at least one path to what its value may be");
   entry.checkCount(kMaxVariedPaths, "paths");
   std::vector<Varied> vary;
-  for (const YamlNode& node : entry.node().children)
-    vary.push_back({std::string(node.key), readDistribution(entry.child(node)), node.line});
+  for (const YamlNode& node : entry.node().children())
+    vary.push_back({std::string(node.key()), readDistribution(entry.child(node)), node.line()});
   return vary;
 }
 

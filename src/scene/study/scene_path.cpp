@@ -9,15 +9,15 @@ namespace {
 
 void addPaths(const YamlNode& node, const std::string& path, std::vector<std::string>& paths) {
   if (!path.empty()) paths.push_back(path);
-  for (std::size_t i = 0; i < node.children.size() && paths.size() < kMaxComparedNames; ++i) {
-    const YamlNode& child = node.children[i];
-    if (node.kind == YamlNode::Kind::kMapping) {
-      addPaths(child, (path.empty() ? "" : path + ".") + std::string(child.key), paths);
+  for (std::size_t i = 0; i < node.children().size() && paths.size() < kMaxComparedNames; ++i) {
+    const YamlNode& child = node.children()[i];
+    if (node.kind() == YamlNode::Kind::kMapping) {
+      addPaths(child, (path.empty() ? "" : path + ".") + std::string(child.key()), paths);
       continue;
     }
     const YamlNode* name = child.find("name");
     addPaths(child,
-             name ? path + "." + std::string(name->text) : path + "[" + std::to_string(i) + "]",
+             name ? path + "." + std::string(name->text()) : path + "[" + std::to_string(i) + "]",
              paths);
   }
 }
@@ -58,12 +58,12 @@ std::vector<PathStep> stepsOf(const std::string& path) {
 }
 
 YamlNode* follow(YamlNode& node, const PathStep& step) {
-  const bool list = node.kind == YamlNode::Kind::kList;
+  const bool list = node.kind() == YamlNode::Kind::kList;
   if (step.item)
-    return list && *step.item < node.children.size() ? &node.children[*step.item] : nullptr;
-  for (YamlNode& child : node.children) {
+    return list && *step.item < node.children().size() ? &node.children()[*step.item] : nullptr;
+  for (YamlNode& child : node.children()) {
     const YamlNode* name = list ? child.find("name") : nullptr;
-    if (list ? name && name->text == step.name : child.key == step.name) return &child;
+    if (list ? name && name->text() == step.name : child.key() == step.name) return &child;
   }
   return nullptr;
 }

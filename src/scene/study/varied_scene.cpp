@@ -14,33 +14,30 @@ namespace {
 
 SceneValue valueOf(const YamlNode& node) {
   SceneValue value;
-  value.is_list = node.kind == YamlNode::Kind::kList;
+  value.is_list = node.kind() == YamlNode::Kind::kList;
   if (!value.is_list) {
-    value.words.push_back({std::string(node.text), node.quoted});
+    value.words.push_back({std::string(node.text()), node.quoted()});
     return value;
   }
-  for (const YamlNode& item : node.children)
-    value.words.push_back({std::string(item.text), item.quoted});
+  for (const YamlNode& item : node.children())
+    value.words.push_back({std::string(item.text()), item.quoted()});
   return value;
 }
 
-/// Makes the node the value, whose texts it refers to.
-void place(const SceneValue& value, YamlNode& node) {
+/// Makes the node of the document the value, whose texts it refers to. A list of as many items as
+/// before takes their place: a sweep sets values a million times.
+void place(const SceneValue& value, YamlNode& node, YamlDocument& document) {
   const auto setWord = [](const SceneValue::Word& word, YamlNode& at) {
-    at.kind = YamlNode::Kind::kScalar;
-    at.text = word.text;
-    at.quoted = word.quoted;
+    at.setScalar(word.text, word.quoted);
   };
-  if (!value.is_list) {
-    node.children.clear();
-    return setWord(value.words.front(), node);
-  }
-  node.kind = YamlNode::Kind::kList;
-  node.text = {};
-  node.children.resize(value.words.size());
-  for (std::size_t i = 0; i < value.words.size(); ++i) {
-    node.children[i].line = node.line;
-    setWord(value.words[i], node.children[i]);
+  const std::size_t count = value.words.size();
+  if (!value.is_list) return setWord(value.words.front(), node);
+  if (node.kind() != YamlNode::Kind::kList || node.children().size() != count)
+    node.setChildren(YamlNode::Kind::kList, document.makeNodes(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    YamlNode& item = node.children()[i] = YamlNode();
+    item.setPlace("", node.line());
+    setWord(value.words[i], item);
   }
 }
 
@@ -75,11 +72,13 @@ VariedScene::VariedScene(const std::string& text, ReadContext context, const Stu
 void VariedScene::addDefaults(const Study& study) {
   static const SceneValue identity{{{"0"}, {"0"}, {"0"}, {"1"}}, true};
   const auto add = [&](YamlNode& mapping, const std::string& key, const SceneValue& value) {
-    if (mapping.kind != YamlNode::Kind::kMapping || mapping.find(key)) return;
-    YamlNode& node = mapping.children.emplace_back();
-    node.key = document_.texts.add(key);
-    node.line = mapping.line;
-    place(value, node);
+    if (mapping.kind() != YamlNode::Kind::kMapping || mapping.find(key)) return;
+    const YamlNodes<YamlNode> before = mapping.children();
+    const YamlNodes<YamlNode> after = document_.makeNodes(before.size() + 1);
+    YamlNode& node = *std::copy(before.begin(), before.end(), after.begin());
+    node.setPlace(document_.keep(key), mapping.line());
+    place(value, node, document_);
+    mapping.setChildren(YamlNode::Kind::kMapping, after);
     defaults_added_ = true;
   };
   for (const Varied& varied : study.vary) {
@@ -101,10 +100,11 @@ void VariedScene::addSlot(const Varied& varied, const Study& study) {
     failPath(study, varied,
              "is not in " + context_.source + "; the nearest that is: '" +
                  nearestOf(varied.path, pathsOf(document_.root)) + "'");
-  const bool holds_mappings =
-      slot.node->kind == YamlNode::Kind::kMapping ||
-      std::any_of(slot.node->children.begin(), slot.node->children.end(),
-                  [](const YamlNode& n) { return n.kind != YamlNode::Kind::kScalar; });
+  const YamlNodes<YamlNode> items = slot.node->children();
+  const bool holds_mappings = slot.node->kind() == YamlNode::Kind::kMapping ||
+                              std::any_of(items.begin(), items.end(), [](const YamlNode& n) {
+                                return n.kind() != YamlNode::Kind::kScalar;
+                              });
   const bool orientation = std::holds_alternative<RotationDistribution>(varied.distribution);
   if (holds_mappings && !orientation)
     failPath(study, varied, "holds more than a value or a list of values; name one within it");
@@ -127,7 +127,8 @@ void VariedScene::addSlot(const Varied& varied, const Study& study) {
 
 void VariedScene::refuseOverlaps(const Study& study) const {
   const auto lies = [](const YamlNode* inner, const YamlNode& outer) {
-    return std::any_of(outer.children.begin(), outer.children.end(),
+    const YamlNodes<const YamlNode> within = outer.children();
+    return std::any_of(within.begin(), within.end(),
                        [&](const YamlNode& child) { return &child == inner; });
   };
   for (std::size_t i = 0; i < slots_.size(); ++i)
@@ -146,7 +147,7 @@ void VariedScene::findPart(Slot& slot) {
     if (steps.size() < 3 || steps[0].name != key || steps.back().name == "type") continue;
     YamlNode& list = *follow(document_.root, steps[0]);
     slot.part = part;
-    slot.entry = static_cast<std::size_t>(follow(list, steps[1]) - list.children.data());
+    slot.entry = static_cast<std::size_t>(follow(list, steps[1]) - list.children().begin());
     for (const char* own : {"mass", "position", "orientation", "twist"})
       if (part == Part::kBody && steps[2].name == own) slot.key = own;
   }
@@ -156,7 +157,7 @@ void VariedScene::set(std::size_t index, SceneValue value) {
   Slot& slot = slots_[index];
   if (slot.now == value) return;
   slot.now = std::move(value);
-  place(slot.now, *slot.node);
+  place(slot.now, *slot.node, document_);
   slot.is_read = false;
 }
 

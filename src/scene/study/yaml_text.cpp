@@ -39,16 +39,16 @@ bool isPlain(std::string_view text) {
 
 /// A file that the scene names relative to its own directory, else the text as it is.
 std::string absolutePath(const YamlNode& node, const std::filesystem::path& directory) {
-  const bool names_file = node.key == "file" || node.key == "mesh";
-  const std::filesystem::path path{std::string(node.text)};
-  if (!names_file || path.is_absolute() || node.text.find("://") != std::string_view::npos)
-    return std::string(node.text);
+  const bool names_file = node.key() == "file" || node.key() == "mesh";
+  const std::filesystem::path path{std::string(node.text())};
+  if (!names_file || path.is_absolute() || node.text().find("://") != std::string_view::npos)
+    return std::string(node.text());
   return std::filesystem::absolute(directory / path).lexically_normal().string();
 }
 
 std::string scalarText(const YamlNode& node, const std::filesystem::path& directory) {
   const std::string text = absolutePath(node, directory);
-  return node.quoted || !isPlain(text) ? quotedText(text) : text;
+  return node.quoted() || !isPlain(text) ? quotedText(text) : text;
 }
 
 std::string keyText(std::string_view key) {
@@ -57,35 +57,35 @@ std::string keyText(std::string_view key) {
 
 std::string flowText(const YamlNode& node, const std::filesystem::path& directory) {
   using Kind = YamlNode::Kind;
-  if (node.kind == Kind::kEmpty) return "~";
-  if (node.kind == Kind::kScalar) return scalarText(node, directory);
-  const bool mapping = node.kind == Kind::kMapping;
+  if (node.kind() == Kind::kEmpty) return "~";
+  if (node.kind() == Kind::kScalar) return scalarText(node, directory);
+  const bool mapping = node.kind() == Kind::kMapping;
   std::string text = mapping ? "{" : "[";
-  for (const YamlNode& child : node.children) {
-    if (&child != &node.children.front()) text += ", ";
-    if (mapping) text += keyText(child.key) + ": ";
+  for (const YamlNode& child : node.children()) {
+    if (&child != &node.children().front()) text += ", ";
+    if (mapping) text += keyText(child.key()) + ": ";
     text += flowText(child, directory);
   }
   return text + (mapping ? "}" : "]");
 }
 
 bool holdsMappings(const YamlNode& node) {
-  return node.kind == YamlNode::Kind::kList && !node.children.empty() &&
-         node.children.front().kind == YamlNode::Kind::kMapping;
+  return node.kind() == YamlNode::Kind::kList && !node.children().empty() &&
+         node.children().front().kind() == YamlNode::Kind::kMapping;
 }
 
 }  // namespace
 
 std::string yamlText(const YamlNode& root, const std::filesystem::path& directory) {
   std::string text;
-  for (const YamlNode& node : root.children) {
-    text += keyText(node.key) + ":";
+  for (const YamlNode& node : root.children()) {
+    text += keyText(node.key()) + ":";
     if (!holdsMappings(node)) {
       text += " " + flowText(node, directory) + "\n";
       continue;
     }
     text += "\n";
-    for (const YamlNode& item : node.children) text += "  - " + flowText(item, directory) + "\n";
+    for (const YamlNode& item : node.children()) text += "  - " + flowText(item, directory) + "\n";
   }
   return text;
 }
