@@ -5,6 +5,7 @@
 
 #include "ros/messages/conversions.hpp"
 #include "ros/mouse/handles.hpp"
+#include "ros/mouse/menu.hpp"
 #include "ros/outputs/arrow_markers.hpp"
 
 namespace rigid_body_sim {
@@ -29,6 +30,7 @@ TEST(Handles, HangOnEveryBodyThatMovesInItsFrame) {
   EXPECT_EQ(handles[0].name, "a");
   EXPECT_EQ(handles[1].name, "c");
   EXPECT_EQ(handles[1].header.frame_id, "c");
+  EXPECT_EQ(handles[1].menu_entries.size(), menuEntries().size());
   EXPECT_TRUE(handles[1].header.stamp.isZero());  // viewers carry it along
 }
 

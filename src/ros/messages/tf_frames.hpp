@@ -12,13 +12,16 @@ namespace rigid_body_sim {
 class TfFrames {
  public:
   /// prefix: empty for none.
-  explicit TfFrames(const Scene& scene, const std::string& prefix = "") {
-    const std::string start = prefix.empty() ? "" : prefix + "/";
+  explicit TfFrames(const Scene& scene, const std::string& prefix = "")
+      : start_(prefix.empty() ? "" : prefix + "/") {
     for (const BodyDef& body : scene.bodies) {
-      bodies_.push_back(start + frameOf(body));
-      names_.push_back(start + body.name);
+      bodies_.push_back(named(frameOf(body)));
+      names_.push_back(named(body.name));
     }
   }
+
+  /// Of neither.
+  std::string named(const std::string& name) const { return start_ + name; }
 
   const std::vector<std::string>& bodies() const { return bodies_; }
   const std::string& of(std::size_t body) const { return bodies_[body]; }
@@ -28,6 +31,7 @@ class TfFrames {
   }
 
  private:
+  std::string start_;
   std::vector<std::string> bodies_;
   std::vector<std::string> names_;
 };

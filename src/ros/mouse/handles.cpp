@@ -1,6 +1,7 @@
 #include "ros/mouse/handles.hpp"
 
 #include "ros/messages/conversions.hpp"
+#include "ros/mouse/menu.hpp"
 #include "ros/outputs/arrow_markers.hpp"
 #include "ros/outputs/markers.hpp"
 #include "ros/outputs/shape_markers.hpp"
@@ -56,6 +57,7 @@ InteractiveMarker toHandle(const BodyDef& def, const Body& body, const std::stri
   handle.pose.orientation.w = 1;
   handle.scale = static_cast<float>(sizeOf(body));
   handle.controls.push_back(control);
+  handle.menu_entries = menuEntries();
   return handle;
 }
 

@@ -13,8 +13,8 @@
 namespace rigid_body_sim {
 
 /// The handle of a body: a shell around what is drawn of it, to be grabbed anywhere and dragged in
-/// the plane of the screen. Its name is the body's, and its frame the body's on tf: viewers carry
-/// it along, nothing is sent while the body moves.
+/// the plane of the screen, with a menu (menuEntries). Its name is the body's, and its frame the
+/// body's on tf: viewers carry it along, nothing is sent while the body moves.
 visualization_msgs::InteractiveMarker toHandle(const BodyDef& def, const Body& body,
                                                const std::string& frame);
 inline visualization_msgs::InteractiveMarker toHandle(const BodyDef& def, const Body& body) {

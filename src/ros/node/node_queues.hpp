@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 
 #include <boost/make_shared.hpp>
 #include <ros/callback_queue.h>
@@ -28,6 +30,11 @@ class SideQueue : public ros::CallbackQueue {
 /// The handles of a node that serves its callbacks itself. ~step has a queue of its own, so that
 /// all other callbacks can be served while steps are taken.
 struct NodeQueues {
+  /// Calls a function as ~step is called: not from within another callback.
+  void callWithSteps(const std::function<void()>& function) {
+    step_queue.addCallback(boost::make_shared<Call>(function), 0);
+  }
+
   ros::CallbackQueue queue;
   SideQueue step_queue{queue};
   ros::NodeHandle nh = handle("", queue);
@@ -35,6 +42,11 @@ struct NodeQueues {
   ros::NodeHandle step_nh = handle("~", step_queue);
 
  private:
+  struct Call : ros::CallbackInterface {
+    explicit Call(std::function<void()> f) : function(std::move(f)) {}
+    CallResult call() override { return function(), Success; }
+    std::function<void()> function;
+  };
   static ros::NodeHandle handle(const std::string& name_space, ros::CallbackQueue& served) {
     ros::NodeHandle nh(name_space);
     nh.setCallbackQueue(&served);

@@ -70,6 +70,8 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       handles_(queues_.private_nh,
                toHandles(scene, simulation_.world(), TfFrames(scene, options.tf_prefix)),
                [this](const HandleTopics::Feedback& feedback) {
+                 if (feedback.event_type == HandleTopics::Feedback::MENU_SELECT)
+                   return choose(feedback);
                  refusals_.check("mouse feedback", mouse_.take(feedback));
                }),
       lockstep_(options, scene.time_step),

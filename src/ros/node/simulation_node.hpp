@@ -63,6 +63,10 @@ class SimulationNode {
                          SetRealTimeFactor::Response& response);
   std::string stepFault() const;
   std::string lateMessages();
+  void choose(const HandleTopics::Feedback& feedback);
+  void pauseAndStep(std::uint32_t steps);
+  void changeRealTimeFactor(double factor);
+  void followWithCamera(const std::string& handle);
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   const bool reset_time_;

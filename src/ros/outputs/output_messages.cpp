@@ -12,6 +12,15 @@ tf2_msgs::TFMessage Outputs::toTransforms(const Snapshot& snapshot, const ros::T
   for (const std::size_t i : moving_)
     message.transforms.push_back(
         toTransform(bodies[i], states[i], world_frame_, frames_.of(i), stamp));
+  if (followed_) {
+    geometry_msgs::TransformStamped target;
+    target.header.stamp = stamp;
+    target.header.frame_id = world_frame_;
+    target.child_frame_id = frames_.named(kFollowed);
+    target.transform.translation = toVector3(centerOfMass(bodies[*followed_], states[*followed_]));
+    target.transform.rotation.w = 1;
+    message.transforms.push_back(target);
+  }
   return message;
 }
 

@@ -75,6 +75,13 @@ class Outputs {
   /// Another simulation of the same scene is watched from now on.
   void watch(const Simulation& simulation) { simulation_ = &simulation; }
 
+  /// From now on the frame kFollowed on /tf is where the centre of mass of a body is, its axes
+  /// those of the world: a camera that has it as its target does not turn with the body. It stays
+  /// where it is when nothing is followed any more.
+  static constexpr const char* kFollowed = "followed_body";
+  void follow(std::size_t body) { followed_ = body; }
+  void stopFollowing() { followed_.reset(); }
+
   /// Bodies have been moved other than by time.
   void breakTrails() { live_markers_.breakTrails(); }
 
@@ -117,8 +124,9 @@ class Outputs {
   const TimeOrigin& origin_;
   std::string world_frame_;
   TfFrames frames_;
-  std::vector<std::size_t> listed_;  // bodies taken in, ascending
-  std::vector<std::size_t> moving_;  // those of them that move
+  std::vector<std::size_t> listed_;      // bodies taken in, ascending
+  std::vector<std::size_t> moving_;      // those of them that move
+  std::optional<std::size_t> followed_;  // by cameras
   boost::array<double, 36> covariance_{};
   bool publish_clock_;
   bool standing_ = false;

@@ -2,12 +2,16 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <visualization_msgs/InteractiveMarkerFeedback.h>
 
 #include <rigid_body_sim/GetState.h>
+#include <rigid_body_sim/Input.h>
 #include <rigid_body_sim/SetRealTimeFactor.h>
 #include <rigid_body_sim/SimStatus.h>
+#include <rigid_body_sim/Step.h>
 
 #include "node_driver.hpp"
+#include "ros/mouse/menu.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -44,6 +48,22 @@ class LiveNode : public ::testing::Test {
     return (ros::WallTime::now() - begin).toSec();
   }
 
+  using Feedback = visualization_msgs::InteractiveMarkerFeedback;
+
+  /// As rviz reports a choice in the menu of the box.
+  void choose(MenuChoice choice) const {
+    Feedback feedback;
+    feedback.header.frame_id = feedback.marker_name = "box";
+    feedback.client_id = "viewer";
+    feedback.event_type = Feedback::MENU_SELECT;
+    feedback.menu_entry_id = static_cast<std::uint32_t>(choice);
+    menu.publish(feedback);
+  }
+
+  /// As ~step answers.
+  static bool isPaused() { return call<Step>("step", Step::Request()).success; }
+
+  ros::Publisher menu;
   NodeDriver driver{{"box", "canary"}};
 };
 
@@ -84,6 +104,48 @@ TEST_F(LiveNode, KeepsItsPaceWhenAskedForAnImpossibleOne) {
   const ros::Subscriber subscriber = nh.subscribe<SimStatus>("rigid_body_node/status", 10, take);
   EXPECT_TRUE(NodeDriver::waitFor([&] { return status.steps > 0; }));
   EXPECT_EQ(status.requested_real_time_factor, 3);
+}
+
+TEST_F(LiveNode, DoesWhatIsChosenInTheMenuOfAHandle) {
+  ros::NodeHandle nh;
+  std::vector<Input> inputs;
+  SimStatus status;
+  const boost::function<void(const Input&)> take = [&](const Input& i) { inputs.push_back(i); };
+  const boost::function<void(const SimStatus&)> look = [&](const SimStatus& s) { status = s; };
+  const ros::Subscriber subscribers[] = {
+      nh.subscribe<Input>("rigid_body_node/inputs", 100, take),
+      nh.subscribe<SimStatus>("rigid_body_node/status", 10, look)};
+  menu = nh.advertise<Feedback>("rigid_body_node/push/feedback", 100);
+  driver.connect();
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return menu.getNumSubscribers() > 0; }));
+  setFactor(1);
+  choose(MenuChoice::kResume);
+  EXPECT_TRUE(NodeDriver::waitFor([] { return !isPaused(); }));
+  for (MenuChoice choice : {MenuChoice::kFaster, MenuChoice::kSlower, MenuChoice::kSlower})
+    choose(choice);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return status.requested_real_time_factor == 0.5; }));
+
+  choose(MenuChoice::kOneStep);  // of a run that is not paused yet
+  EXPECT_TRUE(NodeDriver::waitFor([] { return isPaused(); }));
+  const ros::Time paused = now();
+  choose(MenuChoice::kTenSteps);
+  EXPECT_GE(elapsedAt(paused + ros::Duration(0.0999), ros::WallTime::now()), 0);
+  EXPECT_NEAR((now() - paused).toSec(), 0.1, 2e-9);
+  choose(MenuChoice::kResume);
+  EXPECT_GE(elapsedAt(paused + ros::Duration(0.2), ros::WallTime::now()), 0.15);
+  choose(MenuChoice::kFollow);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return driver.transformsAtOnce() == 3; }));
+  EXPECT_EQ(driver.transform("followed_body").header.frame_id, "world");
+  choose(MenuChoice::kStopFollowing);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return driver.transformsAtOnce() == 2; }));
+  choose(MenuChoice::kPause);
+  EXPECT_TRUE(NodeDriver::waitFor([] { return isPaused(); }));
+
+  choose(MenuChoice::kClearWrenches);
+  choose(MenuChoice::kReset);
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return inputs.size() >= 2; }));
+  EXPECT_EQ(inputs[0].kind, Input::CLEAR);
+  EXPECT_EQ(inputs[1].kind, Input::RESET);
 }
 
 }  // namespace rigid_body_sim
