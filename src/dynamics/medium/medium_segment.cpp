@@ -11,7 +11,7 @@ namespace rigid_body_sim {
 namespace {
 
 constexpr std::size_t kDegree = MediumSeries::kDegree;
-constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+constexpr double kAnyLength = std::numeric_limits<double>::infinity();
 
 /// Σ of the terms from degree 1 on.
 template <class Value>
@@ -32,7 +32,7 @@ double lengthOf(const MediumSeries::Of<Value>& series, double precision) {
   const double last = size(kDegree), before = size(kDegree - 1);
   if (!std::isfinite(last) || !std::isfinite(before)) return 0;
   const auto root = [](double x, std::size_t n) { return std::pow(x, 1 / static_cast<double>(n)); };
-  double length = last > 0 ? root(own / last, kDegree) : kNoEnd;
+  double length = last > 0 ? root(own / last, kDegree) : kAnyLength;
   if (before > 0) length = std::min(length, root(7 * own / before, kDegree - 1));
   return length;
 }
@@ -99,7 +99,7 @@ void MediumSegment::setUpRate() {
   small_speed_ = speedBound(acceleration);
   equations_.drops_quadratic = load.quadratic > 0 && 2 * speed <= small_speed_;
   const bool has_kink = load.quadratic > 0 && !equations_.drops_quadratic;
-  kink_ = has_kink ? 0.5 * speed / acceleration : kNoEnd;
+  kink_ = has_kink ? 0.5 * speed / acceleration : kAnyLength;
   equations_.rate = unitOf(has_kink ? std::max(fastest_, acceleration / speed) : fastest_);
 }
 

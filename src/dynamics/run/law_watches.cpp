@@ -11,8 +11,8 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kNotKnown = -kNever;
+constexpr double kForever = std::numeric_limits<double>::infinity();
+constexpr double kNotKnown = -kForever;
 
 const double* ownStates(const LawWatch& watch, const RunState& run) {
   return run.law_states.data() + watch.firstState();
@@ -45,7 +45,7 @@ void LawWatches::forWatches(const F& f) {
 void LawWatches::wakeUp() {
   forWatches([](LawWatch& watch) { watch.wakeUp(); });
   pairs_.forget();
-  quiet_until_ = watches_.empty() && !pairs_.hasLaws() ? kNever : kNotKnown;
+  quiet_until_ = watches_.empty() && !pairs_.hasLaws() ? kForever : kNotKnown;
 }
 
 void LawWatches::wakeUp(const std::vector<std::size_t>& bodies) {
@@ -99,7 +99,7 @@ bool LawWatches::isWatched(const LawWatch& watch, const RunState& run) const {
 }
 
 void LawWatches::findQuiet(const RunState& run) {
-  quiet_until_ = pairs_.hasLaws() ? pairs_.until() : kNever;
+  quiet_until_ = pairs_.hasLaws() ? pairs_.until() : kForever;
   forWatches([&](const LawWatch& watch) {
     if (isWatched(watch, run)) quiet_until_ = std::min(quiet_until_, watch.quietUntil());
   });
@@ -135,7 +135,7 @@ bool LawWatches::isNear(const LawWatch& watch, const RunState& run, double t, do
     MotionBound loose;
     loose.a_off = 4 * s.p_W.norm() / of.mass / h + 2 * run.world->g_W.norm();
     loose.torque = (4 * s.L_P.norm() + 4 * radiusOfGyration(of) * s.p_W.norm()) / h;
-    loose.until = kNever;
+    loose.until = kForever;
     return std::optional<MotionBound>(loose);
   };
   return watch.quietInFlight(t, ownStates(watch, run), motion, bound) < t_end;

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <sstream>
 
+#include "math/wide.hpp"
+
 namespace rigid_body_sim {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void note(const std::string& text, RepeatedNotice& notice) {
   if (notice.count++ == 0) notice.first = text;
 }
 
 /// A full turn a second, in degrees, is beyond it.
-bool isFast(const Vector3d& w) { return w.norm() > 50 * 2 * kPi; }
+bool isFast(const Vector3d& w) { return w.norm() > 50 * 2 * kPi<double>; }
 
 /// What small rotations become when w stands first: a turn of more than a right angle about x.
 bool looksLikeWFirst(const Quaterniond& q) { return q.x() * q.x() > 0.51; }
@@ -30,7 +30,7 @@ void noteSuspicious(const Entry& entry, const BodyDef& body) {
   std::ostringstream text;
   text.precision(3);
   if (is_fast) {
-    text << "twist.angular is " << body.twist.angular.norm() / (2 * kPi)
+    text << "twist.angular is " << body.twist.angular.norm() / (2 * kPi<double>)
          << " turns/s; its unit is rad/s";
     const Entry twist = entry.child(*entry.node().find("twist"));
     note(twist.located(text.str()), entry.context().fast_spin);
@@ -39,7 +39,7 @@ void noteSuspicious(const Entry& entry, const BodyDef& body) {
     const double z = (body.orientation * Vector3d::UnitZ()).z();
     const double tilt = std::acos(std::clamp(z, -1.0, 1.0));
     text.str("");
-    text << "orientation turns the z axis by " << tilt * 180 / kPi
+    text << "orientation turns the z axis by " << tilt * 180 / kPi<double>
          << " degrees; quaternions are [x, y, z, w]";
     note(entry.child(*orientation).located(text.str()), entry.context().flipped);
   }

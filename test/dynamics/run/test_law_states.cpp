@@ -22,7 +22,7 @@ std::string faultOfState(const Simulation& sim, const State& state) {
 }
 
 /// A box that lies on the ground, a ball that touches it from above, on a tether, in a wind.
-Simulation everyLaw() {
+Simulation everyKindOfLaw() {
   Bench bench;
   bench.world.g_W = {0, 0, -9.81};
   test::addBox(bench, {0.4, 0.3, 0.2}, 5, test::motionAt({0, 0, 0.1}), HalfSpace{},
@@ -46,7 +46,7 @@ Simulation everyLaw() {
 }  // namespace
 
 TEST(LawStates, MustTellOneOfTheModesOfTheirLaw) {
-  const Simulation sim = everyLaw();
+  const Simulation sim = everyKindOfLaw();
   const State state = sim.state();
   EXPECT_EQ(faultOfState(sim, state), "");
   std::size_t first = 0;
@@ -64,7 +64,7 @@ TEST(LawStates, MustTellOneOfTheModesOfTheirLaw) {
 }
 
 TEST(LawStates, AreOfLawsThatActOnce) {
-  const Simulation sim = everyLaw();
+  const Simulation sim = everyKindOfLaw();
   State state = sim.state();
   for (MotionPlan& plan : state.plans)
     if (!plan.laws.empty()) plan.laws.push_back(plan.laws.back());
@@ -72,7 +72,7 @@ TEST(LawStates, AreOfLawsThatActOnce) {
 }
 
 TEST(LawStates, AreOfATimeThatStepsReach) {
-  const Simulation sim = everyLaw();
+  const Simulation sim = everyKindOfLaw();
   for (double impossible : {-0.01, 1e300}) {
     State state = sim.state();
     state.t = impossible;
