@@ -14,9 +14,9 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kStep = 0.5;  // [s] of the scene
-constexpr int kPerStep = 50;   // messages: 100 a second
-constexpr double kPush = 0.1;  // [s] of 1 N on 1 kg
+constexpr double kLongStep = 0.5;  // [s] of the scene
+constexpr int kPerStep = 50;       // messages: 100 a second
+constexpr double kPush = 0.1;      // [s] of 1 N on 1 kg
 
 struct Received {
   nav_msgs::Odometry message;
@@ -67,7 +67,7 @@ TEST_F(BetweenSteps, OdometryComesAtItsRateAndInItsTime) {
               ros::Duration(0, 10000000));
   // what is published in one burst at the end of a step has no time between first and last
   for (std::size_t k = 2 * kPerStep; k < odometry.size(); ++k)
-    ASSERT_GT((odometry[k].at - odometry[k - kPerStep + 5].at).toSec(), 0.2 * kStep);
+    ASSERT_GT((odometry[k].at - odometry[k - kPerStep + 5].at).toSec(), 0.2 * kLongStep);
 }
 
 TEST_F(BetweenSteps, InputActsFromTheEndOfTheStepThatIsBeingShown) {
@@ -83,7 +83,7 @@ TEST_F(BetweenSteps, InputActsFromTheEndOfTheStepThatIsBeingShown) {
   std::vector<ros::Time> starts;
   for (const Input& input : inputs) {
     starts.push_back(input.header.stamp);
-    EXPECT_EQ(std::fmod(input.time, kStep), 0) << input.time;
+    EXPECT_EQ(std::fmod(input.time, kLongStep), 0) << input.time;
   }
   const double v0 = odometry.front().message.twist.twist.linear.x;
   for (const Received& received : odometry) {
@@ -96,10 +96,3 @@ TEST_F(BetweenSteps, InputActsFromTheEndOfTheStepThatIsBeingShown) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_between_steps");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -122,10 +122,3 @@ TEST_F(BodySet, HandleThatIsRemovedIsTakenBackFromTheViewersUntilItIsAddedAgain)
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_body_set");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

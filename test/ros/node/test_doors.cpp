@@ -154,10 +154,3 @@ TEST_F(Doors, RefuseWhatBreaksARuleCountItAndChangeNothing) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_doors");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -27,7 +27,7 @@ namespace {
 
 const std::string kLeader = "/first/rigid_body_node/";
 const std::string kFollower = "/second/rigid_body_node/";
-constexpr double kStep = 0.003;  // [s] of the followers
+constexpr double kFollowersStep = 0.003;  // [s] of the followers
 
 template <class Service>
 typename Service::Response call(const std::string& name, typename Service::Request request = {}) {
@@ -79,7 +79,7 @@ class Fleet : public ::testing::Test {
     const World world = buildWorld(scene);
     Simulation run(world, initialState(scene, world));
     const double t = origin.simulationTime(stamp);
-    while (static_cast<double>(run.steps() + 1) * kStep < t + 1e-9) run.step();
+    while (static_cast<double>(run.steps() + 1) * kFollowersStep < t + 1e-9) run.step();
     const bool is_step = origin.stamp(run.time()) == stamp;
     const State state = is_step ? run.state() : run.sample(t);
     return toOdometry(world.bodies[0], state.bodies[0], "world", stamp);
@@ -125,7 +125,7 @@ TEST_F(Fleet, FollowerNeverPassesTheClock) {
   EXPECT_FALSE(response.success);
   EXPECT_NE(response.message.find("would pass the clock"), std::string::npos) << response.message;
   EXPECT_LE(response.stamp, clock);
-  EXPECT_GT(response.stamp + ros::Duration(kStep), clock);
+  EXPECT_GT(response.stamp + ros::Duration(kFollowersStep), clock);
   // paused it stays behind, and then catches up at once
   clock = step(kLeader, 200);
   EXPECT_EQ(step(kFollower, 0), response.stamp);
@@ -207,10 +207,3 @@ TEST_F(Fleet, SaysThatTwoNodesPublishTheClock) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_fleet");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

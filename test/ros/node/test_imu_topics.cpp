@@ -13,7 +13,6 @@
 namespace rigid_body_sim {
 namespace {
 
-std::string g_scene;
 constexpr int kSteps = 2500;  // 40 s, as long as anything is compared
 
 /// Samples by topic and stamp.
@@ -21,7 +20,7 @@ using Samples = std::map<std::string, std::map<ros::Time, sensor_msgs::Imu>>;
 
 /// All that a run publishes to which everybody listens from the start on, computed here.
 Samples expectedSamples() {
-  test::PublishedRun run(loadScene(g_scene), 100);
+  test::PublishedRun run(loadScene(RIGID_BODY_SIM_IMU_SCENE), 100);
   run.origin = TimeOrigin();
   run.steps(kSteps);
   Samples samples;
@@ -87,11 +86,3 @@ TEST_F(ImuTopicsOfANode, HaveTheSameBitsForEarlyAndLateListeners) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_imu_topics");
-  ::testing::InitGoogleTest(&argc, argv);
-  rigid_body_sim::g_scene = argv[1];
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -217,10 +217,3 @@ TEST(LaunchFiles, LetRvizStandInTheWorldFrameOfTheScene) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_launch_files");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

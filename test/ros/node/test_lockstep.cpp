@@ -210,10 +210,3 @@ TEST(Lockstep, EndsWithOneLineThatNamesTheTopicOfADeadController) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_lockstep");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

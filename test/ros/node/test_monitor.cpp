@@ -116,10 +116,3 @@ TEST_F(MonitorTopics, DivergenceIsReportedBeforeTheNodeEnds) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_monitor");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

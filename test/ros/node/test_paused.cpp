@@ -77,10 +77,3 @@ TEST_F(Paused, GoesOnWithStampsThatStrictlyIncrease) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_paused");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -216,10 +216,3 @@ TEST(Node, EndsCleanlyOnSigint) { EXPECT_EQ(exitCodeAfter(SIGINT), 0); }
 TEST(Node, EndsCleanlyOnSigterm) { EXPECT_EQ(exitCodeAfter(SIGTERM), 0); }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_process");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

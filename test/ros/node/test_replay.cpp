@@ -31,7 +31,7 @@ namespace {
 const std::string kNode = "/rigid_body_node/";
 
 template <class Service>
-typename Service::Response call(const std::string& name, typename Service::Request request) {
+typename Service::Response callNode(const std::string& name, typename Service::Request request) {
   typename Service::Response response;
   EXPECT_TRUE(ros::service::waitForService(kNode + name, 20000));
   EXPECT_TRUE(ros::service::call(kNode + name, request, response)) << name;
@@ -92,12 +92,13 @@ class Replay : public ::testing::Test {
     ApplyWrench::Request request;
     request.wrench = nothing;
     ASSERT_TRUE(NodeDriver::waitFor([&] {
-      call<Step>("step", steps(1));
-      call<ApplyWrench>("apply_wrench", request);
+      callNode<Step>("step", steps(1));
+      callNode<ApplyWrench>("apply_wrench", request);
       return !inputs.empty() && !states.empty() && isComplete(states.rbegin()->first);
     }));
-    call<std_srvs::Trigger>("reset", {});
-    call<Step>("step", steps(1));  // inputs at time zero are recorded once the clock has left it
+    callNode<std_srvs::Trigger>("reset", {});
+    callNode<Step>("step",
+                   steps(1));  // inputs at time zero are recorded once the clock has left it
     ASSERT_TRUE(NodeDriver::waitFor([&] { return inputs.back().kind == Input::RESTART; }));
     states.clear();
     odometry.clear();
@@ -142,10 +143,10 @@ TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
       [&] { return box.getNumSubscribers() > 0 && any.getNumSubscribers() > 0; }));
   ApplyWrench::Request first;
   first.wrench = general("box", 1);
-  EXPECT_TRUE(call<ApplyWrench>("apply_wrench", first).success);
+  EXPECT_TRUE(callNode<ApplyWrench>("apply_wrench", first).success);
 
   // messages on both doors, arriving whenever they do, and every service between
-  call<std_srvs::SetBool>("pause", flag(false));
+  callNode<std_srvs::SetBool>("pause", flag(false));
   for (int i = 0; i < 40; ++i) {
     for (const char* frame : {"world", "box", "box/tip"}) box.publish(everyday(frame, i));
     any.publish(general(i % 2 == 0 ? "world" : "box/tip", i));
@@ -156,16 +157,16 @@ TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
       set.body = set.frame = "canary";
       set.pose.orientation.w = 1;
       set.twist.angular.z = 1.0 / 3;
-      EXPECT_TRUE(call<SetState>("set_state", set).success);
+      EXPECT_TRUE(callNode<SetState>("set_state", set).success);
     }
     if (i == 30) {
       ClearWrenches::Request clear;
       clear.body = "box";
-      EXPECT_TRUE(call<ClearWrenches>("clear_wrenches", clear).success);
+      EXPECT_TRUE(callNode<ClearWrenches>("clear_wrenches", clear).success);
     }
   }
-  call<std_srvs::SetBool>("pause", flag(true));
-  const ros::Time end = call<Step>("step", steps(50)).stamp;
+  callNode<std_srvs::SetBool>("pause", flag(true));
+  const ros::Time end = callNode<Step>("step", steps(50)).stamp;
   ASSERT_TRUE(NodeDriver::waitFor([&] { return isComplete(end); }));
   EXPECT_GT(inputs.size(), 100U);
 
@@ -211,10 +212,3 @@ TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_replay");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

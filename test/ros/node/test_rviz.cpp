@@ -239,10 +239,3 @@ TEST_F(Rviz, ClearWrenchesAndResetMakeTheMouseLetGo) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_rviz");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -110,10 +110,3 @@ INSTANTIATE_TEST_SUITE_P(Paces, SameBytes,
                                            Pace{"hundred", "stepped"}));
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_same_bytes");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

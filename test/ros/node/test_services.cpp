@@ -13,8 +13,8 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kTolerance = 1e-12;  // the same steps; conversions round in the last digits
-const ros::Duration kStep(0, 10000000);
+constexpr double kRoundedDigits = 1e-12;  // the same steps; conversions round in the last digits
+const ros::Duration kLopsidedStep(0, 10000000);
 
 class Services : public ::testing::Test {
  protected:
@@ -37,10 +37,10 @@ class Services : public ::testing::Test {
 
 TEST_F(Services, StepAnswersWhenTheStepsAreDoneAndPublished) {
   const ros::Time before = driver.step(0);
-  EXPECT_EQ(driver.step(1), before + kStep);
-  EXPECT_EQ(driver.step(250), before + kStep * 251);
+  EXPECT_EQ(driver.step(1), before + kLopsidedStep);
+  EXPECT_EQ(driver.step(250), before + kLopsidedStep * 251);
   for (int i = 0; i < 251; ++i) reference.step();
-  EXPECT_LT(distance(driver.motion("box"), reference.motion("box")), kTolerance);
+  EXPECT_LT(distance(driver.motion("box"), reference.motion("box")), kRoundedDigits);
   expectStrictlyIncreasingStamps();
 }
 
@@ -86,7 +86,7 @@ TEST_F(Services, PauseSilencesEveryTopicUntilTheNextStep) {
   driver.pause(true);
   const ros::Time paused_at = driver.step(0);
   const ros::Time next = driver.step(1);
-  EXPECT_EQ(next, paused_at + kStep);
+  EXPECT_EQ(next, paused_at + kLopsidedStep);
   ASSERT_GE(driver.stamps().size(), 2U);
   EXPECT_EQ(driver.stamps().back(), next);
   EXPECT_LE(driver.stamps()[driver.stamps().size() - 2], paused_at);
@@ -99,16 +99,16 @@ TEST_F(Services, RunningPublishesAtThePublishRateWithStampsOfTheSteps) {
   ASSERT_TRUE(NodeDriver::waitFor([&] { return driver.stamps().size() > first + 100; }));
   driver.pause(true);
   for (std::size_t i = first + 1; i < driver.stamps().size(); ++i)
-    ASSERT_EQ(driver.stamps()[i] - driver.stamps()[i - 1], kStep);
+    ASSERT_EQ(driver.stamps()[i] - driver.stamps()[i - 1], kLopsidedStep);
 }
 
 TEST_F(Services, ResetGoesBackToTheInitialStateWhileTimeRunsOn) {
   driver.step(123);
   const ros::Time before = driver.step(0);
   driver.reset();
-  EXPECT_EQ(driver.step(1), before + kStep);
+  EXPECT_EQ(driver.step(1), before + kLopsidedStep);
   reference.step();
-  EXPECT_LT(distance(driver.motion("box"), reference.motion("box")), kTolerance);
+  EXPECT_LT(distance(driver.motion("box"), reference.motion("box")), kRoundedDigits);
   expectStrictlyIncreasingStamps();
 }
 
@@ -135,10 +135,3 @@ TEST_F(Services, MarkersAndFixedFramesReachALateSubscriber) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_services");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

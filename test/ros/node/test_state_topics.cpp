@@ -130,10 +130,3 @@ TEST_F(StateTopics, StateIsSetBetweenStepsAndGot) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_state_topics");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

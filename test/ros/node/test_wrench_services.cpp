@@ -223,10 +223,3 @@ TEST_F(WrenchServices, EverydayDoorTakesAFrameThatTfHangsOnTheBody) {
 }
 
 }  // namespace rigid_body_sim
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "test_wrench_services");
-  ::testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}
