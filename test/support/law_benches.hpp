@@ -44,4 +44,27 @@ inline Bench thrown(const Drag::Coefficients& drag) {
   return bench;
 }
 
+/// A body thrown through wind, with drag of every smooth kind behind its centre of mass.
+inline Bench thrownIntoWind() {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  bench.add(principalBody("dart", 2, {0.5, 0.7, 0.9}), tumbling({3, -1, 2}, {1, 1.5, 0.5}));
+  MediumDrag::Coefficients drag;
+  drag.linear = {0.1, {0.1, 0.2, 0.4}};
+  drag.quadratic.alike = 0.05;
+  drag.angular.alike = 0.2;
+  drag.center_P = {-0.3, 0.05, 0.1};
+  bench.addMediumDrag(0, drag, {-2, 5, 1});
+  return bench;
+}
+
+/// A body that a medium carries at a point above its centre of mass.
+inline Bench afloat() {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  bench.add(principalBody("float", 2, {0.5, 0.7, 0.9}), tumbling({0.5, 0, 0.2}, {1, -0.7, 0.4}));
+  bench.addBuoyancy(0, 1.5, {0.05, -0.1, 0.3});
+  return bench;
+}
+
 }  // namespace rigid_body_sim::test

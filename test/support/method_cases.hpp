@@ -83,6 +83,8 @@ inline std::vector<Case> allCases() {
           {"quadratic_drag", thrown({0, 0.3, 0}), true},
           {"every_drag", thrown({0.4, 0.2, 1})},
           {"drag_on_a_spring", draggedSpring()},
+          {"drag_in_wind", thrownIntoWind()},
+          {"buoyancy", afloat()},
           {"on_a_pivot", pushedOnPivot()},
           {"hung_on_a_body_on_a_pivot", bodyHungOnPivoted()}};
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include <rigid_body_sim/dynamics/medium_drag.hpp>
 #include <rigid_body_sim/dynamics/spring.hpp>
 
 #include "support/reference_motion.hpp"
@@ -66,6 +67,39 @@ inline Law drag(std::size_t body, const Drag::Coefficients& drag) {
   return [=](const std::vector<Body>&, const Motions& m, Loads& loads) {
     loads[body].f_W -= (Real(drag.linear) + Real(drag.quadratic) * m[body].v.norm()) * m[body].v;
     loads[body].tau_P -= Real(drag.angular) * m[body].w;
+  };
+}
+
+/// With u = v + ω × c − w, along the axes e_i of the drag:
+///   f = −(linear + quadratic |u|) u − Σ (linear_i + quadratic_i |u_i|) u_i e_i at c,
+///   τ = −angular ω − Σ angular_i ω_i e_i
+inline Law mediumDrag(std::size_t body, const MediumDrag::Coefficients& drag, const Vector3d& w_W) {
+  return [=](const std::vector<Body>&, const Motions& m, Loads& loads) {
+    const Matrix R = m[body].R(), R_PD = drag.R_PD.cast<Real>();
+    const Vector c = drag.center_P.cast<Real>(), w_P = m[body].w;
+    const Vector u = R.transpose() * (m[body].v - w_W.cast<Real>()) + w_P.cross(c);
+    const auto along = [&R_PD](const Vector3d& factors, const Vector& v_P, bool squared) -> Vector {
+      const Vector v = R_PD.transpose() * v_P;
+      Vector sum = Vector::Zero();
+      for (int i = 0; i < 3; ++i)
+        sum += Real(factors[i]) * (squared ? std::abs(v[i]) : 1) * v[i] * R_PD.col(i);
+      return sum;
+    };
+    const Vector f = -(Real(drag.linear.alike) + Real(drag.quadratic.alike) * u.norm()) * u -
+                     along(drag.linear.axes, u, false) - along(drag.quadratic.axes, u, true);
+    loads[body].f_W += R * f;
+    loads[body].tau_P +=
+        c.cross(f) - Real(drag.angular.alike) * w_P - along(drag.angular.axes, w_P, false);
+  };
+}
+
+/// f = −ρ V g at the centroid
+inline Law buoyancy(std::size_t body, double displaced, const Vector3d& centroid_P,
+                    const Vector3d& g_W) {
+  return [=](const std::vector<Body>&, const Motions& m, Loads& loads) {
+    const Vector f = -Real(displaced) * g_W.cast<Real>();
+    loads[body].f_W += f;
+    loads[body].tau_W += (m[body].R() * centroid_P.cast<Real>()).cross(f);
   };
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/buoyancy.hpp>
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
 #include <rigid_body_sim/dynamics/drag.hpp>
 #include <rigid_body_sim/dynamics/simulation.hpp>
@@ -53,6 +54,16 @@ struct Bench {
   void addDrag(std::size_t body, const Drag::Coefficients& coefficients) {
     world.laws.push_back(std::make_shared<Drag>(body, coefficients));
     reference_laws.push_back(reference::drag(body, coefficients));
+  }
+
+  void addMediumDrag(std::size_t body, const MediumDrag::Coefficients& drag, const Vector3d& w_W) {
+    world.laws.push_back(std::make_shared<MediumDrag>(body, drag, w_W));
+    reference_laws.push_back(reference::mediumDrag(body, drag, w_W));
+  }
+
+  void addBuoyancy(std::size_t body, double displaced, const Vector3d& centroid_P) {
+    world.laws.push_back(std::make_shared<Buoyancy>(body, displaced, centroid_P, world.g_W));
+    reference_laws.push_back(reference::buoyancy(body, displaced, centroid_P, world.g_W));
   }
 
   Simulation simulation(const std::string& integrator, double time_step) const {

@@ -1,108 +1,20 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/drag.hpp>
 
-#include "support/law_benches.hpp"
-#include "support/random_bodies.hpp"
+#include "support/law_cases.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 using test::Bench;
-using End = Spring::End;
-using LawPointer = std::shared_ptr<const ForceLaw>;
-
-/// A law for two bodies in a scene that may be turned and moved as a whole.
-struct LawCase {
-  const char* name;
-  std::function<LawPointer(const Isometry3d& scene)> make;
-  bool damped = false;
-};
-
-std::vector<LawCase> everyLaw() {
-  const Vector3d p(0.3, -0.2, 0.5), q(-0.1, 0.4, 0.2), place(2, -1, 3);
-  const auto spring = [=](double stiffness, double damping) {
-    return [=](const Isometry3d&) {
-      return std::make_shared<Spring>(End{0, p}, End{1, q},
-                                      Spring::Constants{stiffness, damping, 0.7});
-    };
-  };
-  const auto anchored = [=](bool from_world) {
-    return [=](const Isometry3d& scene) {
-      const End world{kWorld, scene * place}, body{1, q};
-      return std::make_shared<Spring>(from_world ? world : body, from_world ? body : world,
-                                      Spring::Constants{40, 3, 0.7});
-    };
-  };
-  const auto gravity = [=](bool gradient) {
-    return [=](const Isometry3d& scene) {
-      return std::make_shared<CentralGravity>(1, scene * place, 7.0, gradient);
-    };
-  };
-  return {{"spring", spring(40, 0), false},
-          {"damped_spring", spring(40, 3), true},
-          {"damper", spring(0, 3), true},
-          {"spring_from_the_world", anchored(true), true},
-          {"spring_to_the_world", anchored(false), true},
-          {"central_gravity", gravity(false), false},
-          {"central_gravity_with_gradient", gravity(true), false}};
-}
-
-/// Two random bodies in random motion.
-struct Pair {
-  explicit Pair(unsigned seed) {
-    Draw draw(seed);
-    for (int i = 0; i < 2; ++i) {
-      bodies.push_back(draw.box(1));
-      states.push_back(draw.state(bodies.back(), draw.uniform(0, 5)));
-    }
-  }
-
-  std::vector<Wrench> wrenches(const ForceLaw& law) const {
-    std::vector<Wrench> result(2);
-    law.addWrenches({pointers(), states}, result);
-    return result;
-  }
-  double potentialEnergy(const ForceLaw& law) const {
-    return law.potentialEnergy({pointers(), states});
-  }
-  double externalPower(const ForceLaw& law) const {
-    return law.externalPower({pointers(), states});
-  }
-
-  /// As the bodies are dt later, to first order and with unit quaternions.
-  Pair movedOn(double dt) const {
-    Pair later = *this;
-    for (std::size_t i = 0; i < 2; ++i) {
-      BodyState& s = later.states[i];
-      s.x_W += dt * s.p_W / bodies[i].mass;
-      const Vector3d w_P = angularVelocity(bodies[i].inv_I, s.L_P);
-      s.q_WP = product(s.q_WP, rotationExp(Vector3d(dt * w_P)));
-    }
-    return later;
-  }
-
-  /// Turned and moved as a whole.
-  Pair placed(const Isometry3d& scene) const {
-    Pair result = *this;
-    for (BodyState& s : result.states) {
-      s.x_W = scene * s.x_W;
-      s.q_WP = Quaterniond(scene.linear()) * s.q_WP;
-      s.p_W = scene.linear() * s.p_W;
-      s.L_W = scene.linear() * s.L_W;
-    }
-    return result;
-  }
-
-  std::vector<const Body*> pointers() const { return {&bodies[0], &bodies[1]}; }
-
-  std::vector<Body> bodies;
-  std::vector<BodyState> states;
-};
+using test::LawCase;
+using test::LawPointer;
+using test::Pair;
+using test::Placement;
 
 constexpr unsigned kPairs = 50;
 
@@ -121,67 +33,70 @@ double power(const Pair& pair, const std::vector<Wrench>& wrenches) {
   return sum;
 }
 
-Isometry3d someplaceElse() {
-  Isometry3d scene = Isometry3d::Identity();
-  scene.linear() = Quaterniond(0.5, -0.1, 0.7, 0.3).normalized().toRotationMatrix();
-  scene.translation() = Vector3d(3, -5, 2);
-  return scene;
-}
-
 class EveryLaw : public testing::TestWithParam<LawCase> {};
 
-INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw, testing::ValuesIn(everyLaw()),
+INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw, testing::ValuesIn(test::everyLaw()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 // Central differences over dt = 1e-5 s: dt² times a third derivative of some 1e2 J/s³, and the
 // rounding of energies of some 1e2 J over dt.
 TEST_P(EveryLaw, PowerIsMinusTheRateOfItsPotentialAndWhatItDissipates) {
-  const LawPointer law = GetParam().make(Isometry3d::Identity());
+  const LawPointer law = GetParam().make(Placement());
+  const std::vector<double> own = Pair::ownOf(*law, GetParam());
   constexpr double dt = 1e-5;
   for (unsigned seed = 0; seed < kPairs; ++seed) {
     const Pair pair(seed);
     const double V_rate =
         (pair.movedOn(dt).potentialEnergy(*law) - pair.movedOn(-dt).potentialEnergy(*law)) /
         (2 * dt);
-    const double external = pair.externalPower(*law);
+    const double external = pair.externalPower(*law, own);
     const double expected = -V_rate + external;
-    EXPECT_NEAR(power(pair, pair.wrenches(*law)), expected, 1e-7 * (1 + std::abs(expected)));
+    EXPECT_NEAR(power(pair, pair.wrenches(*law, own)), expected, 1e-7 * (1 + std::abs(expected)));
     EXPECT_EQ((law->needs() & kDamping) != 0, GetParam().damped);
-    if (GetParam().damped) {
+    if (GetParam().damped && !GetParam().driven) {
       EXPECT_LT(external, 0);
     }
   }
 }
 
 // Rounding of attitudes and of places some 10 m from the origin.
-TEST_P(EveryLaw, ActsTheSameWhereverTheSceneLiesAndHoweverItIsTurned) {
-  const Isometry3d scene = someplaceElse();
-  const LawPointer here = GetParam().make(Isometry3d::Identity());
-  const LawPointer there = GetParam().make(scene);
-  for (unsigned seed = 0; seed < kPairs; ++seed) {
-    const Pair pair(seed), placed = Pair(seed).placed(scene);
-    const auto w = pair.wrenches(*here), w_placed = placed.wrenches(*there);
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double size = 1 + w[i].f_W.norm();
-      EXPECT_LE((scene.linear() * w[i].f_W - w_placed[i].f_W).norm(), 1e-13 * size);
-      EXPECT_LE(
-          (scene.linear() * torque(w[i], pair.states[i]) - torque(w_placed[i], placed.states[i]))
-              .norm(),
-          1e-13 * size);
+TEST_P(EveryLaw, ActsTheSameInASceneThatIsTurnedMovedOrMirrored) {
+  const LawPointer here = GetParam().make(Placement());
+  const std::vector<double> own = Pair::ownOf(*here, GetParam());
+  for (const Placement& scene : test::everyPlacement()) {
+    const LawPointer there = GetParam().make(scene);
+    const std::vector<double> own_there = Pair::ownOf(*there, GetParam());
+    for (unsigned seed = 0; seed < kPairs; ++seed) {
+      const Pair pair(seed), placed = pair.placed(scene);
+      const auto w = pair.wrenches(*here, own), w_placed = placed.wrenches(*there, own_there);
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double size = 1 + w[i].f_W.norm();
+        EXPECT_LE((scene.vector(w[i].f_W) - w_placed[i].f_W).norm(), 1e-13 * size);
+        EXPECT_LE((scene.spin(torque(w[i], pair.states[i])) - torque(w_placed[i], placed.states[i]))
+                      .norm(),
+                  1e-13 * size);
+      }
+      const double power_here = pair.externalPower(*here, own);
+      EXPECT_NEAR(power_here, placed.externalPower(*there, own_there),
+                  1e-13 * (1 + std::abs(power_here)));
+      // of buoyancy, as of gravity, up to what the place of the scene's origin adds
+      const double level = placed.potentialEnergy(*there) - pair.potentialEnergy(*here);
+      const double level_of_first =
+          Pair(0).placed(scene).potentialEnergy(*there) - Pair(0).potentialEnergy(*here);
+      EXPECT_NEAR(level, level_of_first, 2e-13 * (1 + std::abs(pair.potentialEnergy(*here))));
     }
-    EXPECT_NEAR(pair.potentialEnergy(*here), placed.potentialEnergy(*there),
-                1e-13 * (1 + std::abs(pair.potentialEnergy(*here))));
   }
 }
 
 TEST_P(EveryLaw, NamesTheBodiesItActsOnAndFollowsTheirNewIndices) {
-  const LawPointer law = GetParam().make(Isometry3d::Identity());
+  const LawPointer law = GetParam().make(Placement());
+  const std::vector<double> own = Pair::ownOf(*law, GetParam());
   const LawPointer swapped = law->reindexed([](std::size_t body) { return 1 - body; });
   const Pair pair(1);
   Pair crossed = pair;
   std::swap(crossed.bodies[0], crossed.bodies[1]);
   std::swap(crossed.states[0], crossed.states[1]);
-  const auto w = pair.wrenches(*law), w_crossed = crossed.wrenches(*swapped);
+  const auto w = pair.wrenches(*law, own), w_crossed = crossed.wrenches(*swapped, own);
   const auto members = law->members();
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(w[i].f_W, w_crossed[1 - i].f_W);

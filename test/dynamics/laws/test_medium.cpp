@@ -114,8 +114,8 @@ TEST(QuadraticMediumDrag, ThrowsAlongTanAndTanhThroughTheApex) {
               const double v = t < apex ? -vt * std::tan(tau) : -vt * std::tanh(tau);
               const double z = t < apex ? top + vt * vt / g * std::log(std::cos(tau))
                                         : top - vt * vt / g * std::log(std::cosh(tau));
-              EXPECT_NEAR(sim.body(0).p_W.z() / 2, v, 2e-13) << along_axes << t;
-              EXPECT_NEAR(sim.body(0).x_W.z(), z, 2e-13 * (1 + std::abs(z))) << along_axes << t;
+              EXPECT_NEAR(sim.body(0).p_W.z() / 2, v, 1e-13) << along_axes << t;
+              EXPECT_NEAR(sim.body(0).x_W.z(), z, 1e-13 * (1 + std::abs(z))) << along_axes << t;
             });
   }
 }
@@ -154,12 +154,12 @@ TEST(Buoyancy, SwingsAFloatAsAPendulum) {
     EXPECT_LE(sim.body(0).x_W.norm(), 1e-14);
     if (sim.steps() == 50) {
       EXPECT_LE(angleBetween(sim.body(0).q_WP, Quaterniond(rotationExp(Vector3d(0, -theta, 0)))),
-                1e-12);
+                1e-13);
     }
   }
   EXPECT_TRUE(isSolvedAlone(sim));
-  EXPECT_LE(angleBetween(sim.body(0).q_WP, motion.q_WB), 1e-12);
-  EXPECT_LE(sim.body(0).L_W.norm(), 1e-12);
+  EXPECT_LE(angleBetween(sim.body(0).q_WP, motion.q_WB), 1e-13);
+  EXPECT_LE(sim.body(0).L_W.norm(), 1e-13);
 }
 
 // dop853 evaluates the laws themselves; its own error at 1 ms is below the bound.
