@@ -56,7 +56,7 @@ std::string sceneFile(const std::string& yaml) {
 
 TEST(Simulate, WritesARowForEachBodyAndSampleUpToTheEnd) {
   const Outcome run =
-      simulate(scenePath("demo.yaml") + " --csv - --duration 0.25 --sample 0.1 2>/dev/null");
+      simulate(scenePath("free_space.yaml") + " --csv - --duration 0.25 --sample 0.1 2>/dev/null");
   EXPECT_EQ(run.exit_code, 0);
   const std::vector<std::string> rows = lines(run.out);
   ASSERT_EQ(rows.size(), 1U + 2 * 4);
@@ -107,13 +107,14 @@ TEST(Simulate, RunsForTheHorizonOfTheScene) {
 }
 
 TEST(Simulate, TakesMethodAndStepFromTheCommandLine) {
-  EXPECT_NE(simulate(scenePath("demo.yaml") + " --integrator rk4 --time-step 0.02 --duration 1")
-                .out.find(": 1 s in steps of 0.02 s with rk4"),
-            std::string::npos);
+  EXPECT_NE(
+      simulate(scenePath("free_space.yaml") + " --integrator rk4 --time-step 0.02 --duration 1")
+          .out.find(": 1 s in steps of 0.02 s with rk4"),
+      std::string::npos);
 }
 
 TEST(Simulate, SaysHowEachBodyIsSolved) {
-  const Outcome run = simulate(scenePath("demo.yaml") + " --duration 0.1 2>&1 >/dev/null");
+  const Outcome run = simulate(scenePath("free_space.yaml") + " --duration 0.1 2>&1 >/dev/null");
   EXPECT_EQ(lines(run.out), (std::vector<std::string>{"box: free, asymmetric, exact",
                                                       "wing_nut: free, asymmetric, exact"}));
 }
@@ -165,7 +166,7 @@ TEST(Simulate, ExitsWithOneForBadInput) {
   EXPECT_EQ(lines(absent.out).size(), 1U);
   EXPECT_NE(absent.out.find("absent.yaml"), std::string::npos);
   EXPECT_EQ(simulate(sceneFile("time_step: -1\nbodies: []\n") + " 2>&1").exit_code, 1);
-  EXPECT_EQ(simulate(scenePath("demo.yaml") + " --csv /dev/full 2>&1").exit_code, 1);
+  EXPECT_EQ(simulate(scenePath("free_space.yaml") + " --csv /dev/full 2>&1").exit_code, 1);
 }
 
 TEST(Simulate, SaysWhatIsAtFaultAndNothingElse) {
@@ -191,20 +192,21 @@ TEST(Simulate, SaysWhatIsAtFaultAndNothingElse) {
 }
 
 TEST(Simulate, ExitsWithTwoForWrongUsage) {
-  const std::string demo = scenePath("demo.yaml");
+  const std::string free_space = scenePath("free_space.yaml");
   for (const std::string& arguments :
        {std::string(""), std::string("a.yaml b.yaml"), std::string("a.yaml --no-such-option"),
         std::string("a.yaml --duration"), std::string("a.yaml --duration 1x"),
         std::string("a.yaml --duration 0x10"), std::string("a.yaml -xyz"),
         std::string("a.yaml --sample 0"), std::string("a.yaml --time-step nan"),
-        demo + " --integrator bogus", demo + " --integrator rk4 --tolerance 1e-6",
-        demo + " --duration 1e300", demo + " --duration 1e18", demo + " --sample 1e-30",
-        demo + " --integrator rk4 --time-step 1e-20 --duration 1"}) {
+        free_space + " --integrator bogus", free_space + " --integrator rk4 --tolerance 1e-6",
+        free_space + " --duration 1e300", free_space + " --duration 1e18",
+        free_space + " --sample 1e-30",
+        free_space + " --integrator rk4 --time-step 1e-20 --duration 1"}) {
     const Outcome run = simulate(arguments + " 2>&1");
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_EQ(lines(run.out).size(), 1U) << arguments;
   }
-  EXPECT_EQ(simulate(demo + " --duration 1e300 2>&1").out,
+  EXPECT_EQ(simulate(free_space + " --duration 1e300 2>&1").out,
             "simulate: a duration of 1e+300 s must be at most 2^53 steps of 0.001 s "
             "(simulate --help)\n");
 }
