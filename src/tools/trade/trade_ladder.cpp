@@ -33,7 +33,7 @@ void climbLadder(const World& world, const Reference& reference, const std::stri
   const double least_cost = (integrator == "auto" ? 1 : methodNamed(integrator).cost);
   // of a run with the step, if none is divided
   const auto least_work = [&](double step) {
-    return least_cost * movingBodies(world) * reference.duration / step;
+    return least_cost * movingBodyCount(world) * reference.duration / step;
   };
   std::optional<Setting> setting = tryMeasuring(world, reference, integrator, h, patience);
   if (setting) measured(*setting);

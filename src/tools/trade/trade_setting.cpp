@@ -28,7 +28,7 @@ double countedWork(const Simulation& simulation) {
 
 }  // namespace
 
-double movingBodies(const World& world) {
+double movingBodyCount(const World& world) {
   return static_cast<double>(std::count_if(world.bodies.begin(), world.bodies.end(),
                                            [](const Body& body) { return !body.fixed; }));
 }

@@ -28,7 +28,7 @@ struct Patience {
 };
 
 /// Bodies that are not fixed.
-double movingBodies(const World& world);
+double movingBodyCount(const World& world);
 
 /// Runs a scene with an integrator and a step over the duration of the reference, once for the
 /// errors and several times for the processor time, from the same state. What is done before the
