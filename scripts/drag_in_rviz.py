@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Drags the box of the demo with a true mouse in rviz, without a screen of its own, and takes the
-picture of the README half way. Fails when the box does not come to the mouse.
+"""Drags the box of the scene free_space, which demo_pusher keeps on a round, with a true mouse in rviz,
+without a screen of its own, and takes the picture of doc/node.md half way. Fails when the box does not
+come to the mouse.
 
 usage: source .build/devel/setup.bash && scripts/drag_in_rviz.py doc/images/demo.png
 Needs xvfb, xdotool and imagemagick. It is no test: it waits by the clock until rviz has drawn.
@@ -13,6 +14,7 @@ import sys
 import time
 
 import rosgraph
+import rospkg
 import rospy
 from rigid_body_sim.srv import GetState, Step
 from std_srvs.srv import SetBool
@@ -24,6 +26,7 @@ VIEW = (364, 62, 900, 709)  # where rviz draws in a window of that size: left, t
 FOCUS, DISTANCE, YAW, PITCH = (0.0, 0.0, 1.3), 5.6, 0.9, 0.45  # as in config/rviz/scene.rviz
 FIELD = math.pi / 4  # of view, from top to bottom [rad]
 GOAL = (814, 190)  # of the mouse [pixels]: above the round that the box flies
+PAUSE = 0.5  # [s] after each action of the mouse, for rviz to see it
 
 
 def pixel_of(point):
@@ -43,12 +46,12 @@ def run(*command):
 
 def mouse(*command):
     run('xdotool', *map(str, command))
-    time.sleep(0.5)
+    time.sleep(PAUSE)
 
 
 def wait_for_rviz():
     master = rosgraph.Master('/drag_in_rviz')
-    while True:
+    for _ in range(60):
         time.sleep(1)
         try:
             subscribers = dict(master.getSystemState()[1])
@@ -56,6 +59,7 @@ def wait_for_rviz():
             continue
         if '/rviz' in subscribers.get('/rigid_body_node/push/update', []):
             return
+    sys.exit('rviz has not come up within a minute')
 
 
 def drag(picture):
@@ -91,10 +95,14 @@ def main():
     os.environ.update(DISPLAY=DISPLAY, LIBGL_ALWAYS_SOFTWARE='1',
                       ROS_MASTER_URI=f'http://localhost:{PORT}')
     screen = subprocess.Popen(['Xvfb', DISPLAY, '-screen', '0', f'{SIZE[0]}x{SIZE[1]}x24'])
-    launch = subprocess.Popen(['roslaunch', '-p', str(PORT), 'rigid_body_sim', 'demo.launch'])
+    scene = rospkg.RosPack().get_path('rigid_body_sim') + '/config/scenes/free_space.yaml'
+    launch = subprocess.Popen(['roslaunch', '-p', str(PORT), 'rigid_body_sim', 'sim.launch',
+                               f'scene:={scene}'])
+    pusher = subprocess.Popen(['rosrun', 'rigid_body_sim', 'demo_pusher'])
     try:
         before, after = drag(sys.argv[1])
     finally:
+        pusher.terminate()
         launch.send_signal(subprocess.signal.SIGINT)
         launch.wait()
         screen.terminate()
