@@ -46,12 +46,15 @@ void place(const SceneValue& value, YamlNode& node, YamlDocument& document) {
                    "vary: '" + printable(varied.path) + "' " + oneLine(message));
 }
 
-/// Keys that a scene may leave out and a study vary all the same, with what they then are.
-std::vector<std::pair<std::string, SceneValue>> optionalKeys() {
-  const Scene scene;
-  return {{"tolerance", {{{numberText(scene.tolerance)}}, false}},
-          {"horizon", {{{numberText(scene.horizon)}}, false}},
-          {"integrator", {{{scene.integrator}}, false}}};
+/// Keys that a scene may leave out and a study vary all the same, with what they then are. They
+/// last: the nodes that get these values refer to their texts.
+const std::vector<std::pair<std::string, SceneValue>>& optionalKeys() {
+  static const Scene scene;
+  static const std::vector<std::pair<std::string, SceneValue>> keys = {
+      {"tolerance", {{{numberText(scene.tolerance)}}, false}},
+      {"horizon", {{{numberText(scene.horizon)}}, false}},
+      {"integrator", {{{scene.integrator}}, false}}};
+  return keys;
 }
 
 }  // namespace
