@@ -19,12 +19,14 @@ Simulation simulationOfScene(const std::string& yaml) {
   return Simulation(world, initialState(scene, world));
 }
 
-/// A symmetric body that a steady torque makes turn faster and faster, beside a slow one.
+/// A symmetric body that a steady torque makes turn faster and faster, and that nutates, so that no
+/// closed form is known; beside a slow one.
 const char* const kSpinUp = R"(
 time_step: 10
 bodies:
   - {name: slow, shape: {sphere: {radius: 1}}, mass: 1, position: [9, 0, 0]}
-  - {name: wheel, shape: {cylinder: {radius: 1, length: 0.1}}, mass: 1}
+  - {name: wheel, shape: {cylinder: {radius: 1, length: 0.1}}, mass: 1,
+     twist: {frame: wheel, angular: [0.1, 0, 0]}}
 wrenches: [{body: wheel, frame: wheel, torque: [0, 0, 1], duration: 1000}]
 )";
 

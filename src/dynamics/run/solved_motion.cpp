@@ -52,6 +52,7 @@ bool isModest(const HeldWrench& wrench) {
 SolvedMotion::Motion SolvedMotion::solve(const SolvedProblem& p, double t, const BodyState& state,
                                          double duration) {
   if (p.wrench.torqueFree()) return FreeFlight(p.body, p.wrench.f_W + p.body.mass * p.g_W, state);
+  if (const auto axial = AxialFlight::of(p.body, p.wrench, p.g_W, state)) return *axial;
   if (p.wrench.drive)
     return Driven(std::in_place, p.body, p.wrench, p.g_W, state, t - p.wrench.drive->start,
                   p.bound);
@@ -78,13 +79,18 @@ SolvedMotion::SolvedMotion(const SolvedProblem& problem, double t, const BodySta
   }
   // [rad] the angle is reduced in 64 bits, 5e-20 of it: beyond, 1e-4 rad are lost
   constexpr double kMaxTurn = 1e15;
+  if (const auto* axial = std::get_if<AxialFlight>(&motion_)) {
+    valid_until_ = t + axial->timeToTurn(kMaxTurn);
+    return;
+  }
   valid_until_ = t + kMaxTurn / stableNorm(angularVelocity(problem.body.inv_I, state.L_P));
 }
 
 void SolvedMotion::anchorAnew(const SolvedProblem& same_problem, double t, const BodyState& state,
                               double horizon) {
   auto* series = std::get_if<Series>(&motion_);
-  if (!series) {
+  // a run that goes on from a saved state takes the closed form where there is one, too
+  if (!series || AxialFlight::of(same_problem.body, same_problem.wrench, same_problem.g_W, state)) {
     if (anchorDriven(same_problem, t, state) || anchorInMedium(same_problem, t, state)) return;
     *this = SolvedMotion(same_problem, t, state, horizon);
     return;
@@ -119,6 +125,7 @@ MotionAnchor SolvedMotion::anchor() const {
   if (const auto* driven = std::get_if<Driven>(&motion_)) return {anchor_, (*driven)->start()};
   if (const auto* in_medium = std::get_if<InMedium>(&motion_))
     return {anchor_, (*in_medium)->start()};
+  if (const auto* axial = std::get_if<AxialFlight>(&motion_)) return {anchor_, axial->start()};
   return {anchor_, std::get<FreeFlight>(motion_).start()};
 }
 
@@ -130,6 +137,7 @@ BodyState SolvedMotion::at(double t) const {
   const double dt = t - anchor_;
   if (const auto* series = std::get_if<Series>(&motion_)) return (*series)->at(dt);
   if (const auto* flight = std::get_if<FreeFlight>(&motion_)) return flight->at(dt);
+  if (const auto* axial = std::get_if<AxialFlight>(&motion_)) return axial->at(dt);
   if (const auto* driven = std::get_if<Driven>(&motion_)) return (*driven)->at(dt);
   return (*std::get_if<InMedium>(&motion_))->at(dt);
 }

@@ -4,6 +4,7 @@
 
 #include "dynamics/medium/medium_segment.hpp"
 #include "dynamics/rotation/free_flight.hpp"
+#include "dynamics/run/axial_flight.hpp"
 #include "dynamics/run/boxed.hpp"
 #include "dynamics/step_too_long.hpp"
 #include "dynamics/taylor/driven_segment.hpp"
@@ -18,8 +19,9 @@ struct SolvedProblem {
   ErrorBound bound;     ///< none: to rounding
 };
 
-/// The motion of one body, solved from an anchor on: a free flight where there is no torque, else a
-/// Taylor segment; one that is driven where motors act, or one in a medium.
+/// The motion of one body, solved from an anchor on: in closed form where there is no torque, or
+/// one along the principal axis that the body turns about; else by a Taylor segment; one that is
+/// driven where motors act, or one in a medium.
 class SolvedMotion {
  public:
   /// Anchors the motion at a state of time t [s]; it is not asked for beyond `horizon` [s].
@@ -39,8 +41,11 @@ class SolvedMotion {
   /// the numbers are so large that only evaluation shows it.
   double finiteUntil(const BodyState& state) const;
 
-  /// Whether the body turns freely: then another anchor at validUntil() would not help it.
-  bool isFree() const { return std::holds_alternative<FreeFlight>(motion_); }
+  /// Whether it is known in closed form: then another anchor at validUntil() would not help it.
+  bool isClosed() const {
+    return std::holds_alternative<FreeFlight>(motion_) ||
+           std::holds_alternative<AxialFlight>(motion_);
+  }
 
   /// The state at a time [s] between the anchor and validUntil().
   BodyState at(double t) const;
@@ -49,7 +54,7 @@ class SolvedMotion {
   using Series = Boxed<TaylorSegment>;
   using Driven = Boxed<DrivenSegment>;
   using InMedium = Boxed<MediumSegment>;
-  using Motion = std::variant<FreeFlight, Series, Driven, InMedium>;
+  using Motion = std::variant<FreeFlight, AxialFlight, Series, Driven, InMedium>;
   static Motion solve(const SolvedProblem& problem, double t, const BodyState& state,
                       double duration);
   bool anchorDriven(const SolvedProblem& same_problem, double t, const BodyState& state);
@@ -69,7 +74,7 @@ void followSolved(const SolvedProblem& problem, double t, double t_end, double h
   constexpr int kMaxSegments = 1000000;
   for (int segments = 0; !(motion.validUntil() >= t_end); ++segments) {
     const double t_valid = motion.validUntil();
-    if (motion.isFree())
+    if (motion.isClosed())
       throw StepTooLong(
           "it has turned 1e15 rad since its last event: attitude no longer known to 1e-4 rad");
     if (!(t_valid > t) || segments == kMaxSegments)
