@@ -132,6 +132,11 @@ class Simulation {
   /// swung or decayed faster than its method follows in one; 1 when none was.
   int maxSubsteps() const;
 
+  /// ln of how much the integrator has magnified, so far, what a body turns about its axis of least
+  /// inertia: the integral of ½ h (ω·L/I₁ − |ω|²) over time under semi_implicit_euler, 0 under the
+  /// others. Of a thin rod, rounding grows to a visible motion at some 30.
+  double magnification() const;
+
   /// Evaluations of all wrenches by integrators so far.
   std::int64_t evaluations() const;
 

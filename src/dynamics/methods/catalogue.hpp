@@ -15,12 +15,14 @@ using StepFunction = void (*)(const System& system, double h, SystemState& state
 
 /// What a method may claim; claims add up by |.
 enum Claim : unsigned {
-  kReversible = 1,      ///< a step of h, then of −h, is back to rounding
-  kBoundsEnergy = 2,    ///< the energy error of free motion does not grow with time
-  kKeepsFreeL = 4,      ///< angular momentum is constant to the last bit without torque
-  kSolves = 8,          ///< the error is rounding, whatever the step
-  kEstimatesError = 16  ///< a step leaves its error in Workspace::error, and is not done where that
-                        ///< is infinite
+  kReversible = 1,       ///< a step of h, then of −h, is back to rounding
+  kBoundsEnergy = 2,     ///< the energy error of free motion does not grow with time
+  kKeepsFreeL = 4,       ///< angular momentum is constant to the last bit without torque
+  kSolves = 8,           ///< the error is rounding, whatever the step
+  kEstimatesError = 16,  ///< a step leaves its error in Workspace::error, and is not done where
+                         ///< that is infinite
+  kFeedsLeastAxis = 32  ///< a component of L along the axis of least inertia grows at the rate
+                        ///< ½ h (ω·L/I₁ − |ω|²)
 };
 
 /// An integrator and what it claims. The tests check every claim.

@@ -156,6 +156,20 @@ std::string describeSubsteps(const Simulation& simulation) {
   return text.str();
 }
 
+std::string describeMagnification(const Simulation& simulation) {
+  const double magnification = simulation.magnification();
+  if (!(magnification > std::log(10.0))) return "";
+  const SolverOptions& solver = simulation.world().solver;
+  std::ostringstream text;
+  text.precision(2);
+  text << solver.integrator
+       << " has magnified what a body turns about its axis of least inertia 10^"
+       << std::llround(magnification / std::log(10.0))
+       << " times, so that the motion may be wrong: take time_step <= "
+       << solver.time_step / magnification << ", or another integrator";
+  return text.str();
+}
+
 std::string describePromise(const Simulation& simulation) {
   const double lost_at = simulation.errorEstimate().lost_at;
   if (!std::isfinite(lost_at)) return "";

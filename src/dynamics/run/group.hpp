@@ -36,6 +36,7 @@ class Group {
   double time() const { return t_; }  ///< [s] of present()
   const MethodChoice& choice() const { return stepper_ ? stepper_->choice() : solved_choice_; }
   int maxSubsteps() const { return stepper_ ? stepper_->maxSubsteps() : 1; }
+  double magnification() const { return stepper_ ? stepper_->magnification() : 0; }
   std::int64_t evaluations() const { return stepper_ ? stepper_->evaluations() : 0; }
   std::int64_t roughSteps() const { return stepper_ ? stepper_->roughSteps() : 0; }
   double substepsNeeded(double h) const { return stepper_->substepsNeeded(system_, h, present_); }

@@ -33,6 +33,7 @@ std::vector<std::size_t> Groups::indicesOf(const World& world,
 void Groups::remove(const std::vector<std::size_t>& indices) {
   for (auto g = indices.rbegin(); g != indices.rend(); ++g) {
     removed_.max_substeps = std::max(removed_.max_substeps, groups_[*g].maxSubsteps());
+    removed_.magnification = std::max(removed_.magnification, groups_[*g].magnification());
     removed_.evaluations += groups_[*g].evaluations();
     erase(*g);
   }
@@ -52,6 +53,12 @@ void Groups::erase(std::size_t g) {
 int Groups::maxSubsteps() const {
   int most = removed_.max_substeps;
   for (const Group& group : groups_) most = std::max(most, group.maxSubsteps());
+  return most;
+}
+
+double Groups::magnification() const {
+  double most = removed_.magnification;
+  for (const Group& group : groups_) most = std::max(most, group.magnification());
   return most;
 }
 

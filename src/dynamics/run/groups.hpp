@@ -25,6 +25,7 @@ class Groups {
   /// Of groups that are removed.
   struct Counts {
     int max_substeps = 1;
+    double magnification = 0;
     std::int64_t evaluations = 0;
   };
   const Counts& counts() const { return removed_; }
@@ -71,6 +72,7 @@ class Groups {
 
   /// Of all groups, those too that are removed; see Simulation.
   int maxSubsteps() const;
+  double magnification() const;
   std::int64_t evaluations() const;
 
  private:

@@ -185,6 +185,7 @@ std::vector<MotionPlan> Simulation::plans() const {
 }
 
 int Simulation::maxSubsteps() const { return parts_->run.now().groups.maxSubsteps(); }
+double Simulation::magnification() const { return parts_->run.now().groups.magnification(); }
 std::int64_t Simulation::evaluations() const { return parts_->run.now().groups.evaluations(); }
 
 void Simulation::trackError() { parts_->error.emplace(parts_->run); }

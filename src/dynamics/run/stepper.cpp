@@ -110,6 +110,18 @@ StepBound Stepper::stepBound(double h, double rate) const {
                    follows.idle)};
 }
 
+/// [1/s²] Over the step, the rate of Claim kFeedsLeastAxis, of the body where it is greatest.
+double Stepper::leastAxisGrowth(const System& system, const SystemState& states) const {
+  double greatest = 0;
+  for (std::size_t i = 0; i < states.bodies.size(); ++i) {
+    const Body& body = *system.bodies[i];
+    const Vector3d& L_P = states.bodies[i].L_P;
+    const Vector3d w_P = angularVelocity(body.inv_I, L_P);
+    greatest = std::max(greatest, w_P.dot(L_P) * body.inv_I.maxCoeff() - w_P.squaredNorm());
+  }
+  return greatest / 2;
+}
+
 /// The number of substeps in which to take a step of h.
 int Stepper::divide(const System& system, double h, const SystemState& states) {
   const double turn = h * fastestRate(system, h, states);
@@ -123,6 +135,8 @@ int Stepper::divide(const System& system, double h, const SystemState& states) {
     throw StepTooLong(reason.str());
   }
   if (choice_.by_estimates) workspace_.step_bound = stepBound(h / substeps, turn / h);
+  if (choice_.method->claimsTo(kFeedsLeastAxis))
+    magnification_ += h * h / substeps * leastAxisGrowth(system, states);
   if (needed > choice_.substeps) max_substeps_ = std::max(max_substeps_, static_cast<int>(needed));
   return static_cast<int>(substeps);
 }

@@ -27,6 +27,10 @@ class Stepper {
   /// because something turned, swung or decayed too fast; 1 when none was.
   int maxSubsteps() const { return max_substeps_; }
 
+  /// ln of how much the integrator has magnified, so far, what a body turns about its axis of least
+  /// inertia; see Claim kFeedsLeastAxis.
+  double magnification() const { return magnification_; }
+
   /// Evaluations of all wrenches so far.
   std::int64_t evaluations() const { return workspace_.evaluations; }
 
@@ -74,6 +78,7 @@ class Stepper {
   double fastestOfLaws(const System& system, double h, const SystemState& states) const;
   double rateBroughtAbout(const System& system, double h, const SystemState& states) const;
   StepBound stepBound(double h, double rate) const;
+  double leastAxisGrowth(const System& system, const SystemState& states) const;
   int divide(const System& system, double h, const SystemState& states);
   template <class Meter>
   bool takeSubsteps(const System& system, double t, double h, int count, SystemState& states,
@@ -101,6 +106,7 @@ class Stepper {
   bool speed_matters_ = false;   // whether a law's rate grows with speed
   bool torque_matters_ = false;  // whether torques other than the laws' may spin a body up
   int max_substeps_ = 1;
+  double magnification_ = 0;
   double stopped_at_ = 0;
   bool at_rest_ = false;
   std::vector<Roam> roams_;

@@ -42,9 +42,10 @@ void Monitor::track(bool wanted) {
 }
 
 void Monitor::warnOfLostTolerance() {
-  const std::string promise = describePromise(simulation_);
-  if (!promise.empty() && !has_warned_) ROS_WARN_STREAM(promise);
-  has_warned_ = !promise.empty();
+  std::string warning = describePromise(simulation_);
+  if (warning.empty()) warning = describeMagnification(simulation_);
+  if (!warning.empty() && !has_warned_) ROS_WARN_STREAM(warning);
+  has_warned_ = !warning.empty();
 }
 
 void Monitor::report(Health health, Clock::time_point now) {
@@ -55,9 +56,9 @@ void Monitor::report(Health health, Clock::time_point now) {
   restart(now);
   health.new_overruns = health.status.overruns - last_overruns_;
   last_overruns_ = health.status.overruns;
+  warnOfLostTolerance();
   if (!hasSubscribers()) return;
 
-  warnOfLostTolerance();
   addFigures(simulation_, health.status);
   health.status.header.frame_id = world_frame_;
   health.status.header.stamp = origin_.stamp(simulation_.time());

@@ -208,6 +208,8 @@ void finish(Job& job) {
   if (!substeps.empty()) job.note(substeps);
   const std::string promise = describePromise(job.simulation);
   if (!promise.empty()) job.note(promise);
+  const std::string magnification = describeMagnification(job.simulation);
+  if (!magnification.empty()) job.note(magnification);
   if (job.record && !job.record->remainder(job.end).empty())
     job.note(job.record->remainder(job.end));
   job.messages.print();
