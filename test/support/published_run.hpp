@@ -42,6 +42,7 @@ struct PublishedMessages {
   void keep(const std::string&, const tf2_msgs::TFMessage& m) { tf.push_back(m); }
   void keep(const std::string&, const BodyStates& m) { states.push_back(m); }
   void keep(const std::string&, const Contacts& m) { contacts.push_back(m); }
+  void keep(const std::string&, const LawForces& m) { law_forces.push_back(m); }
   void keep(const std::string&, const rosgraph_msgs::Clock& m) { clock.push_back(m.clock); }
   template <class Message>
   void keep(const std::string& name, const Message&) {
@@ -58,6 +59,7 @@ struct PublishedMessages {
   std::vector<tf2_msgs::TFMessage> tf;  // the static ones first
   std::vector<BodyStates> states;
   std::vector<Contacts> contacts;
+  std::vector<LawForces> law_forces;
   std::vector<ros::Time> clock;
   std::map<std::string, int> others;
 };

@@ -42,6 +42,11 @@ class Spring final : public ForceLaw {
   /// Its length, and that of the arms of its ends.
   double reach(const Bodies& at) const override;
 
+  /// [N] now.
+  double tension(const Bodies& at) const;
+
+  const std::array<End, 2>& ends() const { return ends_; }
+
  private:
   std::array<End, 2> ends_;
   Constants constants_;

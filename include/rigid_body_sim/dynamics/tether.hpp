@@ -65,6 +65,9 @@ class Tether final : public ForceLaw {
   /// [N] now.
   double tension(const Bodies& at) const;
 
+  /// Whether it pulls, in the mode that its own states tell.
+  bool isTaut(const double* own) const { return own[0] == kTaut; }
+
   const std::array<Spring::End, 2>& ends() const { return ends_; }
 
  private:

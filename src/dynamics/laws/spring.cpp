@@ -3,6 +3,14 @@
 #include "dynamics/laws/line.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+double tensionOf(const Spring::Constants& constants, const Line& line) {
+  return constants.stiffness * (line.length - constants.rest_length) +
+         constants.damping * line.rate;
+}
+
+}  // namespace
 
 std::vector<std::size_t> Spring::members() const { return membersOf(ends_); }
 
@@ -15,9 +23,12 @@ std::shared_ptr<const ForceLaw> Spring::reindexed(
 
 void Spring::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
   const Line line = lineBetween(ends_, at, constants_.damping > 0);
-  const double tension = constants_.stiffness * (line.length - constants_.rest_length) +
-                         constants_.damping * line.rate;
-  addTension(ends_, line, tension, at, wrenches);
+  addTension(ends_, line, tensionOf(constants_, line), at, wrenches);
+}
+
+double Spring::tension(const Bodies& at) const {
+  const Line line = lineBetween(ends_, at, constants_.damping > 0);
+  return line.length > 0 ? tensionOf(constants_, line) : 0;
 }
 
 double Spring::potentialEnergy(const Bodies& at) const {

@@ -13,6 +13,7 @@
 #include <rigid_body_sim/BodyStates.h>
 #include <rigid_body_sim/Contacts.h>
 #include <rigid_body_sim/Input.h>
+#include <rigid_body_sim/LawForces.h>
 
 namespace rigid_body_sim {
 namespace {
@@ -30,6 +31,7 @@ std::optional<ros::Time> stampOfRun(const rosbag::MessageInstance& message) {
     return odometry->header.stamp;
   if (const auto states = message.instantiate<BodyStates>()) return states->header.stamp;
   if (const auto contacts = message.instantiate<Contacts>()) return contacts->header.stamp;
+  if (const auto forces = message.instantiate<LawForces>()) return forces->header.stamp;
   if (const auto imu = message.instantiate<sensor_msgs::Imu>()) return imu->header.stamp;
   if (const auto actuators = message.instantiate<sensor_msgs::JointState>())
     if (!isCommandTopic(message.getTopic())) return actuators->header.stamp;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ros/outputs/arrow_markers.hpp"
+#include "ros/outputs/law_forces.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -85,6 +86,8 @@ void LiveMarkers::addArrows(const Snapshot& snapshot, MarkerArray& all) const {
   }
   for (const ContactPoint& contact : snapshot.contacts())
     append(contactArrows(contact, bodies), all);
+  for (const LineForce& line : snapshot.lineForces())
+    all.markers.push_back(lineMarker(line, snapshot.world()));
 }
 
 /// Of the bodies with rotors that have been taken in.

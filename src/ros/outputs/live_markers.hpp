@@ -14,8 +14,9 @@
 namespace rigid_body_sim {
 
 /// What changes on ~markers, beside the bodies themselves: rotors that turn, arrows of the wrenches
-/// that act, of actuators, of the forces of contact and of angular momentum, and the trails of the
-/// centres of mass of the moving bodies. Computed while somebody looks: a trail starts then.
+/// that act, of actuators, of the forces of contact and of angular momentum, the lines of springs
+/// and tethers, and the trails of the centres of mass of the moving bodies. Computed while somebody
+/// looks: a trail starts then.
 class LiveMarkers {
  public:
   /// body_frames: those of all bodies of the world on tf.

@@ -15,7 +15,9 @@
 
 #include <rigid_body_sim/BodyStates.h>
 #include <rigid_body_sim/Contacts.h>
+#include <rigid_body_sim/LawForces.h>
 #include <rigid_body_sim/dynamics/contact_point.hpp>
+#include <rigid_body_sim/dynamics/line_force.hpp>
 #include <rigid_body_sim/dynamics/world.hpp>
 
 #include "ros/outputs/topic.hpp"
@@ -49,7 +51,8 @@ struct OutputTopics {
   Topic<visualization_msgs::MarkerArray> live_markers;
   Topic<rosgraph_msgs::Clock> clock;  ///< empty functions unless chosen
   Topic<BodyStates> states;
-  Topic<Contacts> contacts;  ///< empty functions unless bodies can touch
+  Topic<Contacts> contacts;     ///< empty functions unless bodies can touch
+  Topic<LawForces> law_forces;  ///< empty functions unless there are springs or tethers
   std::vector<BodyTopics> bodies;
 };
 
@@ -106,6 +109,8 @@ OutputTopics openTopics(Transport& transport, const World& world, const TopicCho
   topics.states = transport.template open<BodyStates>("~states", !kLatched);
   if (hasContact(world))
     topics.contacts = transport.template open<Contacts>("~contacts", !kLatched);
+  if (hasLines(world))
+    topics.law_forces = transport.template open<LawForces>("~law_forces", !kLatched);
   if (choice.clock)
     topics.clock = transport.template open<rosgraph_msgs::Clock>("/clock", !kLatched);
   for (std::size_t i = 0; i < world.bodies.size() && choice.single_bodies; ++i) {

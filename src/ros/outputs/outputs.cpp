@@ -7,6 +7,7 @@
 #include <rigid_body_sim/math/isometry.hpp>
 
 #include "ros/outputs/arrow_markers.hpp"
+#include "ros/outputs/law_forces.hpp"
 #include "ros/outputs/markers.hpp"
 #include "ros/outputs/state_messages.hpp"
 
@@ -128,6 +129,10 @@ void Outputs::greet() {
   }));
   contacts_.greetWith(greeting([this](const Snapshot& snapshot, const ros::Time& stamp) {
     return contacts_.standing(snapshot, stamp);
+  }));
+  if (!topics_.law_forces.greetWith) return;
+  topics_.law_forces.greetWith(greeting([this](const Snapshot& snapshot, const ros::Time& stamp) {
+    return toLawForces(snapshot, world_frame_, stamp);
   }));
 }
 
@@ -255,9 +260,10 @@ void Outputs::publishState(double t, bool with_markers) {
   if (seen && with_markers) live_markers_.publish(snapshot, stamp);
 }
 
-/// Of ~states, ~contacts and the topics of single bodies.
+/// Of ~states, ~contacts, ~law_forces and the topics of single bodies.
 bool Outputs::anySubscribers() const {
   return topics_.states.subscribers() > 0 || contacts_.hasSubscribers() ||
+         topics_.law_forces.hasSubscribers() ||
          std::any_of(topics_.bodies.begin(), topics_.bodies.end(), [](const BodyTopics& topics) {
            return topics.odometry.subscribers() > 0 || topics.acceleration.subscribers() > 0 ||
                   topics.applied_wrench.subscribers() > 0 || topics.actuators.hasSubscribers() ||
@@ -271,6 +277,8 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
     topics_.states.publish(states_, stamp);
   }
   if (contacts_.hasSubscribers()) contacts_.publish(snapshot, stamp);
+  if (topics_.law_forces.hasSubscribers())
+    topics_.law_forces.publish(toLawForces(snapshot, world_frame_, stamp), stamp);
   for (const BodyTopics& topics : topics_.bodies) {
     if (topics.odometry.subscribers())
       topics.odometry.publish(toOdometry(topics.body, snapshot, stamp), stamp);

@@ -24,11 +24,11 @@ namespace rigid_body_sim {
 
 /// What a run publishes, on ROS or into a bag: moving bodies on /tf, <body>/odom, <body>/accel,
 /// <body>/applied_wrench, <body>/pivot_force and <body>/actuators, all bodies on ~states, what
-/// touches on ~contacts, at the instants k / publish_rate of simulation time, /clock at k /
-/// clock_rate, each IMU at k / rate of its own, whether a step ends there or not; once, latched:
-/// fixed bodies, named points and IMUs on /tf_static, and ~markers. Without subscribers nothing is
-/// computed. Stamps strictly increase while time runs. While it stands, whoever comes is sent the
-/// standing state.
+/// touches on ~contacts, what springs and tethers exert on ~law_forces, at the instants k /
+/// publish_rate of simulation time, /clock at k / clock_rate, each IMU at k / rate of its own,
+/// whether a step ends there or not; once, latched: fixed bodies, named points and IMUs on
+/// /tf_static, and ~markers. Without subscribers nothing is computed. Stamps strictly increase
+/// while time runs. While it stands, whoever comes is sent the standing state.
 class Outputs {
  public:
   /// The simulation, that of the scene, and the origin are watched, not copied.

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <rigid_body_sim/dynamics/line_force.hpp>
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
 namespace rigid_body_sim {
@@ -33,6 +34,8 @@ class Snapshot {
   }
 
   std::vector<ContactPoint> contacts() const { return contactsOf(world(), state_); }
+
+  std::vector<LineForce> lineForces() const { return lineForcesOf(world(), state_); }
 
   /// What the actuators of a body do, in the order of Body::actuators.
   std::vector<ActuatorReading> actuators(std::size_t body) const {
