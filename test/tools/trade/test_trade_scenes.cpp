@@ -19,7 +19,7 @@ namespace {
 
 using test::Bench;
 
-/// Those that the independent reference can follow: it knows neither contact nor motors, media and
+/// Those that the independent reference can follow: it knows neither contact nor motors and
 /// tethers.
 std::vector<std::string> shippedScenes() {
   std::vector<std::string> names;
@@ -28,8 +28,7 @@ std::vector<std::string> shippedScenes() {
     std::ostringstream text;
     text << std::ifstream(file.path()).rdbuf();
     const auto holds = [&](const char* key) { return text.str().find(key) != std::string::npos; };
-    if (!holds("type: contact") && !holds("type: tether") && !holds("commands:") &&
-        !holds("medium:"))
+    if (!holds("type: contact") && !holds("type: tether") && !holds("commands:"))
       names.push_back(file.path().stem().string());
   }
   std::sort(names.begin(), names.end());
