@@ -69,12 +69,13 @@ set(program_definitions
   RIGID_BODY_SIM_DEMO_PUSHER="$<TARGET_FILE:rigid_body_sim_demo_pusher>"
   RIGID_BODY_SIM_MASS_PROPERTIES="$<TARGET_FILE:rigid_body_sim_mass_properties>"
   RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_sim_rigid_body_node>"
+  RIGID_BODY_SIM_PLOT="$<TARGET_FILE:rigid_body_sim_plot>"
   RIGID_BODY_SIM_SIMULATE="$<TARGET_FILE:rigid_body_sim_simulate>"
   RIGID_BODY_SIM_SWEEP="$<TARGET_FILE:rigid_body_sim_sweep>"
   RIGID_BODY_SIM_TRADE="$<TARGET_FILE:rigid_body_sim_trade>")
 
 rigid_body_sim_gtest(tools
-  FOLDERS tools LIBRARIES rigid_body_sim_bag rigid_body_sim_tools
+  FOLDERS tools LIBRARIES rigid_body_sim_plots
   HEADERS_OF rigid_body_sim_node_driver)
 target_compile_definitions(rigid_body_sim_test_tools PRIVATE ${program_definitions})
 add_dependencies(rigid_body_sim_test_tools ${programs})

@@ -7,6 +7,14 @@ namespace rigid_body_sim {
 /// Whether the program that draws is installed.
 bool hasGnuplot();
 
+/// A line for the user where it is not. there: what holds the numbers that would have been drawn,
+/// such as "runs.csv is there".
+std::string gnuplotIsMissing(const std::string& there);
+
+/// A directory for pictures, from the command line. Throws UsageError for a path that gnuplot does
+/// not take: it must not be empty, nor have line ends in it. option: without its dashes.
+std::string pictureDirectory(const std::string& option, const std::string& path);
+
 /// Gives gnuplot a script. Throws std::runtime_error, which names the picture, where it fails.
 void runGnuplot(const std::string& script, const std::string& picture);
 

@@ -6,6 +6,7 @@
 #include "programs/run_program.hpp"
 #include "programs/standard_streams.hpp"
 #include "programs/usage.hpp"
+#include "tools/common/csv_rows.hpp"
 #include "tools/compare_runs/motion_difference.hpp"
 
 namespace rigid_body_sim {

@@ -1,20 +1,18 @@
 #include "tools/compare_runs/recorded_motion.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
-#include <vector>
 
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
-#include "scene/message_text.hpp"
 #include "tools/common/csv_header.hpp"
+#include "tools/common/csv_rows.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -42,26 +40,11 @@ RecordedMotion motionOfBag(const std::string& path) {
   return motion;
 }
 
-double numberOf(const std::string& field) {
-  char* end = nullptr;
-  const double number = std::strtod(field.c_str(), &end);
-  if (field.empty() || *end != '\0' || !std::isfinite(number))
-    throw std::runtime_error("a finite number is expected, got '" + printable(field) + "'");
-  return number;
-}
-
-void addRow(const std::string& row, RecordedMotion& motion) {
-  std::vector<std::string> fields;
-  std::istringstream stream(row);
-  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-  Motion state{};
-  if (fields.size() != state.size() + 2)
-    throw std::runtime_error("15 fields are expected, got " + std::to_string(fields.size()));
-  for (std::size_t i = 0; i < state.size(); ++i) state[i] = numberOf(fields[i + 2]);
+void addRow(const CsvRow& row, RecordedMotion& motion) {
   constexpr double kMaxSeconds = 9e9;  // that 64 bits of nanoseconds hold
-  const double time = numberOf(fields[0]);
-  if (std::abs(time) > kMaxSeconds) throw std::runtime_error("time must be at most 9e9 s");
-  motion[fields[1]][std::llround(time * 1e9)] = state;
+  if (std::abs(row.time) > kMaxSeconds) throw std::runtime_error("time must be at most 9e9 s");
+  Motion& state = motion[row.body][std::llround(row.time * 1e9)];
+  std::copy(row.numbers.begin(), row.numbers.end(), state.begin());
 }
 
 RecordedMotion motionOfCsv(const std::string& path) {
@@ -73,22 +56,11 @@ RecordedMotion motionOfCsv(const std::string& path) {
     throw std::runtime_error("neither a bag (.bag) nor a CSV file of simulate: line 1 must be " +
                              std::string(kCsvHeader));
   RecordedMotion motion;
-  for (int line = 2; std::getline(file, row); ++line) {
-    try {
-      addRow(row, motion);
-    } catch (const std::exception& fault) {
-      throw std::runtime_error("line " + std::to_string(line) + ": " + fault.what());
-    }
-  }
+  readCsvRows(file, row, [&](const CsvRow& read) { addRow(read, motion); });
   return motion;
 }
 
 }  // namespace
-
-bool isBag(const std::string& path) {
-  constexpr const char* kExtension = ".bag";
-  return path.size() >= 4 && path.compare(path.size() - 4, 4, kExtension) == 0;
-}
 
 RecordedMotion readMotion(const std::string& path) {
   try {

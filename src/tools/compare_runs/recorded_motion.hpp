@@ -14,8 +14,6 @@ using Motion = std::array<double, 13>;
 /// Motions by time [ns], by body.
 using RecordedMotion = std::map<std::string, std::map<std::int64_t, Motion>>;
 
-bool isBag(const std::string& path);
-
 /// Reads the odometry in a bag, or a CSV file of simulate. Throws std::runtime_error with one line,
 /// the path first.
 RecordedMotion readMotion(const std::string& path);

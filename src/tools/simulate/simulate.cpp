@@ -19,13 +19,17 @@
 #include "programs/standard_streams.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
+#include "scene/message_text.hpp"
 #include "tools/common/deferred_messages.hpp"
+#include "tools/common/gnuplot.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/common/slow_run_notice.hpp"
 #include "tools/common/state_at.hpp"
+#include "tools/plot/plot_run.hpp"
 #include "tools/simulate/bag_output.hpp"
 #include "tools/simulate/csv_writer.hpp"
 #include "tools/simulate/imu_csv.hpp"
+#include "tools/simulate/plot_files.hpp"
 #include "tools/simulate/recorded_run.hpp"
 #include "tools/simulate/run_summary.hpp"
 #include "tools/simulate/simulate_options.hpp"
@@ -42,6 +46,9 @@ void requireDistinctFiles(const SimulateOptions& options) {
   if (options.imu_csv && *options.imu_csv != "-")
     files.push_back({"--imu-csv", *options.imu_csv, true});
   if (options.bag) files.push_back({"--bag", *options.bag, true});
+  if (options.plot)
+    for (const std::string& path : PlotFiles::pathsIn(*options.plot))
+      files.push_back({"a file of --plot", path, true});
   if (options.load) files.push_back({"--load", *options.load, false});
   if (options.save) files.push_back({"--save", *options.save, true});
   requireDistinct(files);
@@ -86,6 +93,7 @@ struct Job {
   std::unique_ptr<CsvWriter> csv;
   std::unique_ptr<ImuCsv> imu_csv;
   std::unique_ptr<BagOutput> bag;
+  std::unique_ptr<PlotFiles> plot;
 };
 
 void load(const std::string& path, Job& job) {
@@ -139,6 +147,7 @@ void openOutputs(Job& job) {
     job.bag = std::make_unique<BagOutput>(
         *job.options.bag, 1 / job.options.sample.value_or(kBagSample),
         job.record ? job.record->origin() : TimeOrigin(), job.scene, job.simulation);
+  if (job.options.plot) job.plot = std::make_unique<PlotFiles>(*job.options.plot, job.simulation);
 }
 
 /// As the node: inputs are applied before a step, the state is published after it.
@@ -166,6 +175,11 @@ StepHooks hooksOf(Job& job, SlowRunNotice& slow) {
   return hooks;
 }
 
+void writeRow(const State& state, Job& job) {
+  if (job.csv) job.csv->write(job.world, state);
+  if (job.plot) job.plot->write(state);
+}
+
 /// Runs to the end, a row at every sample and at the end. Returns the last state.
 State simulate(Job& job, const StepHooks& hooks) {
   // a time that misses a multiple of the sample by rounding is one
@@ -179,11 +193,11 @@ State simulate(Job& job, const StepHooks& hooks) {
   hooks.after();
   State state = job.simulation.state();
   if (job.record && job.record->replay().loaded()) job.first = state;
-  if (job.csv) job.csv->write(job.world, state);
+  writeRow(state, job);
   for (double k = first; k <= last; ++k) {
     const double t = k == last ? job.end : k * job.sample;
     state = stateAt(job.simulation, t, hooks);
-    if (job.csv) job.csv->write(job.world, state);
+    writeRow(state, job);
     bar.show((t - job.begin) / (job.end - job.begin));
   }
   return state;
@@ -203,6 +217,7 @@ void finish(Job& job) {
   if (job.csv) job.csv->finish();
   if (job.imu_csv) job.imu_csv->finish();
   if (job.bag) job.bag->finish();
+  if (job.plot) job.plot->finish();
   if (job.options.save) saveState(*job.options.save, job.world, job.simulation.state());
   const std::string substeps = describeSubsteps(job.simulation);
   if (!substeps.empty()) job.note(substeps);
@@ -212,6 +227,16 @@ void finish(Job& job) {
   if (!magnification.empty()) job.note(magnification);
   if (job.record && !job.record->remainder(job.end).empty())
     job.note(job.record->remainder(job.end));
+  job.messages.print();
+}
+
+void drawPlots(Job& job) {
+  const std::string& directory = *job.options.plot;
+  const auto note = [&job](const std::string& text) { job.note(text); };
+  if (hasGnuplot())
+    note(plotRun({PlotFiles::pathsIn(directory), directory, {}}, note));
+  else
+    note(gnuplotIsMissing("the CSV files in " + oneLine(directory) + " are there"));
   job.messages.print();
 }
 
@@ -238,8 +263,9 @@ void run(const SimulateOptions& options) {
   const auto inputs = job.record ? job.record->effects(job.world) : std::vector<InputEffects>();
   std::fputs(runSummary(job.world, job.first, last, inputs).c_str(), out);
   // results in files are not spoilt by a summary that nobody wants
-  const bool to_file = job.csv || job.imu_csv || job.bag || options.save;
+  const bool to_file = job.csv || job.imu_csv || job.bag || job.plot || options.save;
   if (isOpen(out) || !to_file) requireWritten(out);
+  if (job.plot) drawPlots(job);
 }
 
 }  // namespace

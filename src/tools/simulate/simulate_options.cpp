@@ -4,6 +4,7 @@
 
 #include "dynamics/methods/catalogue.hpp"
 #include "programs/usage.hpp"
+#include "tools/common/gnuplot.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -30,6 +31,7 @@ SimulateOptions parseSimulateOptions(int argc, char** argv) {
       textInto(options.csv, "csv"),
       textInto(options.imu_csv, "imu-csv"),
       textInto(options.bag, "bag"),
+      {"plot", [&](const char* s) { options.plot = pictureDirectory("plot", s); }},
       textInto(options.wrench_bag, "wrench-bag"),
       textInto(options.save, "save"),
       textInto(options.load, "load")};
@@ -62,6 +64,8 @@ and momentum were conserved, or what changed them.
   --bag FILE         the topics on the bodies that a node with publish_clock publishes, stamped from
                      zero on, or as the recorded run; without ~inputs, and without ~status and
                      /diagnostics, which report wall time
+  --plot DIR         pictures of the run: motion, forces, energy and momentum balance over time, as
+                     SVG; and motion.csv, forces.csv, balance.csv, of which plot draws them anew
   --wrench-bag FILE  repeats the last run in the recorded topic ~inputs of a node, to the last bit;
                      from a bag without that topic, applies its messages on wrenches and commands at
                      their times in the bag
@@ -74,6 +78,11 @@ CSV columns: time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz: position of the b
 [m], attitude, velocity of that origin [m/s] and angular velocity [rad/s], all in world axes.
 IMU columns: time,body,imu,gx,gy,gz,ax,ay,az: angular velocity [rad/s] and specific force [m/s^2] in
 the axes of the IMU.
+Files of --plot beside the CSV above, with a row for each sample:
+forces.csv: time,body,fx,fy,fz,tx,ty,tz: force [N] on each body that moves, all but uniform gravity,
+and torque [N m] about its centre of mass, or its pivot; world axes.
+balance.csv: of all bodies together energy [J], kinetic energy in it, work done, momentum [kg m/s],
+angular momentum [kg m^2/s] about the origin; *_balance: what work and impulses leave unaccounted for.
 Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the simulation diverged.
 )";
 }

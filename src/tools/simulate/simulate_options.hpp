@@ -16,6 +16,7 @@ struct SimulateOptions {
   std::optional<std::string> csv;         ///< file; "-": standard output
   std::optional<std::string> imu_csv;     ///< likewise
   std::optional<std::string> bag;         ///< file
+  std::optional<std::string> plot;        ///< directory
   std::optional<std::string> wrench_bag;  ///< file
   std::optional<std::string> save, load;  ///< files of states
   bool help = false;

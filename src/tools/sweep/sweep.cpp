@@ -26,8 +26,7 @@ void report(const SweepInfo& info, const std::string& directory) {
   if (hasGnuplot())
     plotSweep(summary, info, (out / "fan.csv").string(), (out / "sweep.svg").string());
   else
-    print("gnuplot is not installed: " + (out / "summary.csv").string() +
-          " is there, the plot is not\n");
+    print(gnuplotIsMissing((out / "summary.csv").string() + " is there") + "\n");
 }
 
 std::vector<std::string> writtenFiles(const SweepOptions& options) {

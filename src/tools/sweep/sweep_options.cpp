@@ -6,20 +6,11 @@
 #include <sched.h>
 
 #include "programs/usage.hpp"
-#include "scene/message_text.hpp"
 #include "scene/study/study.hpp"
+#include "tools/common/gnuplot.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-/// gnuplot takes no line ends in a path.
-std::string directoryIn(const char* text) {
-  const std::string path = text;
-  if (path.empty() || oneLine(path) != path)
-    throw UsageError("--out: must be a path without control characters, got '" + printable(path) +
-                     "'");
-  return path;
-}
 
 /// The cores that this process may use: of those of the machine, the ones that taskset or a job's
 /// launcher left to it.
@@ -32,12 +23,13 @@ int usualThreads() {
 
 SweepOptions parseMerge(int argc, char** argv) {
   SweepOptions options;
-  const OptionActions actions{{"out", [&](const char* s) { options.out = directoryIn(s); }}};
+  const OptionActions actions{
+      {"out", [&](const char* s) { options.out = pictureDirectory("out", s); }}};
   const auto directories =
       readCommandLine(argc, argv, actions, "at least one directory is", kAtLeastOne, {});
   options.help = !directories;
   options.merge = directories.value_or(std::vector<std::string>());
-  for (const std::string& directory : options.merge) directoryIn(directory.c_str());
+  for (const std::string& directory : options.merge) pictureDirectory("out", directory);
   return options;
 }
 
@@ -62,7 +54,7 @@ SweepOptions parseSweepOptions(int argc, char** argv, const Environment& environ
       {"threads",
        [&](const char* s) { options.threads = int(wholeNumber("threads", s, 1, kMaxThreads)); }},
       {"shard", [&](const char* s) { shard = parseShard(s); }},
-      {"out", [&](const char* s) { options.out = directoryIn(s); }}};
+      {"out", [&](const char* s) { options.out = pictureDirectory("out", s); }}};
   const auto files = readCommandLine(argc, argv, actions, "a scene file and a study file are", 2,
                                      {{"resume", &options.resume}});
   options.help = !files;

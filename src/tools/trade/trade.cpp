@@ -111,7 +111,7 @@ void run(const TradeOptions& options) {
   if (hasGnuplot())
     plotTrade(trade, options.out + "/trade.svg");
   else
-    print("gnuplot is not installed: " + options.out + "/trade.csv is there, the plot is not\n");
+    print(gnuplotIsMissing(options.out + "/trade.csv is there") + "\n");
 }
 
 }  // namespace

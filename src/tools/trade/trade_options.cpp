@@ -1,26 +1,16 @@
 #include "tools/trade/trade_options.hpp"
 
 #include "programs/usage.hpp"
-#include "scene/message_text.hpp"
+#include "tools/common/gnuplot.hpp"
 
 namespace rigid_body_sim {
-namespace {
-
-/// gnuplot takes no line ends in a path.
-std::string directory(const std::string& path) {
-  if (path.empty() || oneLine(path) != path)
-    throw UsageError("--out: must be a path without control characters, got '" + printable(path) +
-                     "'");
-  return path;
-}
-
-}  // namespace
 
 TradeOptions parseTradeOptions(int argc, char** argv) {
   TradeOptions options;
-  const OptionActions actions{numberInto(options.duration, "duration"),
-                              numberInto(options.error_budget, "error-budget"),
-                              {"out", [&](const char* s) { options.out = directory(s); }}};
+  const OptionActions actions{
+      numberInto(options.duration, "duration"),
+      numberInto(options.error_budget, "error-budget"),
+      {"out", [&](const char* s) { options.out = pictureDirectory("out", s); }}};
   const auto scene =
       readCommandLine(argc, argv, actions, "scene file", {{"write", &options.write}});
   options.help = !scene;

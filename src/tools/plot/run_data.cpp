@@ -1,0 +1,117 @@
+#include "tools/plot/run_data.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include <rigid_body_sim/math/rotation.hpp>
+
+#include "math/shortest.hpp"
+#include "scene/message_text.hpp"
+#include "tools/common/csv_header.hpp"
+#include "tools/common/csv_rows.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+template <std::size_t N>
+void addSample(double t, const std::vector<double>& numbers, Samples<N>& samples) {
+  std::array<double, N> row;
+  std::copy(numbers.begin(), numbers.end(), row.begin());
+  samples.t.push_back(t);
+  samples.rows.push_back(row);
+}
+
+template <class Rows>
+void requireFirstOfItsKind(const Rows& rows) {
+  if (!rows.empty())
+    throw std::runtime_error("another file of the same kind is given, too: plot one run at a time");
+}
+
+void readMotionRows(std::istream& file, const std::string& header, RunData& run) {
+  requireFirstOfItsKind(run.motion);
+  readCsvRows(file, header, [&](const CsvRow& row) {
+    Samples<13>& samples = run.motion.of(row.body);
+    addSample(row.time, row.numbers, samples);
+    requireMotion(samples.rows.back());
+  });
+}
+
+void readForceRows(std::istream& file, const std::string& header, RunData& run) {
+  requireFirstOfItsKind(run.loads);
+  readCsvRows(file, header,
+              [&](const CsvRow& row) { addSample(row.time, row.numbers, run.loads.of(row.body)); });
+}
+
+void readBalanceRows(std::istream& file, const std::string& header, RunData& run) {
+  requireFirstOfItsKind(run.balance.t);
+  run.has_kinetic = true;
+  readCsvRows(file, header,
+              [&](const CsvRow& row) { addSample(row.time, row.numbers, run.balance); });
+}
+
+void addCsv(const std::string& path, RunData& run) {
+  std::ifstream file(path);
+  std::string header;
+  if (!file.is_open()) throw std::runtime_error(std::strerror(errno));
+  std::getline(file, header);
+  if (header == kCsvHeader)
+    readMotionRows(file, header, run);
+  else if (header == kForcesHeader)
+    readForceRows(file, header, run);
+  else if (header == kBalanceHeader)
+    readBalanceRows(file, header, run);
+  else
+    throw std::runtime_error(
+        "neither a bag (.bag) nor a CSV file that simulate writes with --csv or --plot: line 1 is "
+        "'" +
+        printable(header) + "'");
+}
+
+std::string fileName(const std::string& path) {
+  return oneLine(std::filesystem::path(path).filename().string());
+}
+
+/// One file by its name, several by their directory.
+std::string nameOf(const std::vector<std::string>& paths) {
+  if (paths.size() == 1) return fileName(paths[0]);
+  const std::filesystem::path full = std::filesystem::absolute(paths[0]).lexically_normal();
+  return fileName(full.parent_path().string());
+}
+
+bool isEmpty(const RunData& run) {
+  return run.motion.empty() && run.loads.empty() && run.balance.t.empty();
+}
+
+}  // namespace
+
+void requireMotion(const std::array<double, 13>& motion) {
+  for (const double x : motion)
+    if (!std::isfinite(x)) throw std::runtime_error("position or velocity is not finite");
+  const Quaterniond q(motion[6], motion[3], motion[4], motion[5]);
+  if (!isNearlyUnit(q))
+    throw std::runtime_error("the norm of the quaternion must be 1, got " + shortest(q.norm()));
+}
+
+RunData readRun(const std::vector<std::string>& paths) {
+  RunData run;
+  for (const std::string& path : paths) try {
+      if (isBag(path) && paths.size() > 1)
+        throw std::runtime_error("a bag is plotted alone, without other files");
+      if (isBag(path))
+        run = readBagRun(path);
+      else
+        addCsv(path, run);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(oneLine(path) + ": " + error.what());
+    }
+  if (isEmpty(run)) throw std::runtime_error(oneLine(paths[0]) + ": holds no rows");
+  run.name = nameOf(paths);
+  return run;
+}
+
+}  // namespace rigid_body_sim
