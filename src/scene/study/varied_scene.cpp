@@ -73,7 +73,9 @@ VariedScene::VariedScene(const std::string& text, ReadContext context, const Stu
 /// Orientations of bodies, and keys of the scene, that are left out and varied. First of all, since
 /// nodes move.
 void VariedScene::addDefaults(const Study& study) {
+  // for good: nodes refer to their texts
   static const SceneValue identity{{{"0"}, {"0"}, {"0"}, {"1"}}, true};
+  static const std::vector<std::pair<std::string, SceneValue>> optional_keys = optionalKeys();
   const auto add = [&](YamlNode& mapping, const std::string& key, const SceneValue& value) {
     if (mapping.kind() != YamlNode::Kind::kMapping || mapping.find(key)) return;
     const YamlNodes<YamlNode> before = mapping.children();
@@ -85,7 +87,7 @@ void VariedScene::addDefaults(const Study& study) {
     defaults_added_ = true;
   };
   for (const Varied& varied : study.vary) {
-    for (const auto& [key, value] : optionalKeys())
+    for (const auto& [key, value] : optional_keys)
       if (varied.path == key) add(document_.root, key, value);
     const std::vector<PathStep> steps = stepsOf(varied.path);
     if (steps.size() != 3 || steps[0].name != "bodies" || steps[2].name != "orientation") continue;

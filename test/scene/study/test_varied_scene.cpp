@@ -62,6 +62,19 @@ TEST(VariedScene, StatesWhatVariesWhateverWasDrawnBefore) {
   EXPECT_TRUE(scene.scene().tolerance_stated);
 }
 
+// The nodes that are added refer to texts that must last.
+TEST(VariedScene, KeepsTheTextsOfKeysThatItAdds) {
+  VariedScene scene(kVariedScene, contextOf("scene.yaml"),
+                    studyVarying({"tolerance", "horizon", "integrator", "bodies.box.orientation",
+                                  "bodies.box.mass", "wrenches[0].force"}));
+  EXPECT_EQ(scene.own(0).words[0].text, "1e-9");
+  EXPECT_EQ(scene.own(1).words[0].text, "10");
+  EXPECT_EQ(scene.own(2).words[0].text, "auto");
+  scene.set(4, number("3"));
+  EXPECT_EQ(scene.scene().horizon, 10);
+  EXPECT_NE(scene.yaml().find("tolerance: 1e-9"), std::string::npos) << scene.yaml();
+}
+
 TEST(VariedScene, SetsValuesAsIfTheyStoodInTheFile) {
   const std::vector<std::string> paths = {"bodies.box.mass",       "bodies.box.twist.angular[2]",
                                           "bodies.ball.density",   "forces[0].stiffness",
