@@ -15,13 +15,13 @@ void checkActuatorStates(const World& world, const State& state) {
   require(state.actuators.size() == world.bodies.size(),
           "a state must have actuators for each body, or for none");
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const std::string body = "body '" + world.bodies[i].name + "': ";
-    require(state.actuators[i].size() == world.bodies[i].actuators.size(),
-            body + "a state must have as many actuators as its world");
+    const std::string& body = world.bodies[i].name;
+    require(state.actuators[i].size() == world.bodies[i].actuators.size(), "body '", body,
+            "': a state must have as many actuators as its world");
     for (const ActuatorState& actuator : state.actuators[i])
       require(std::isfinite(actuator.command) && std::isfinite(actuator.value) &&
                   actuator.since <= state.t && !std::isnan(actuator.until),
-              body + "states of actuators must be finite and not of the future");
+              "body '", body, "': states of actuators must be finite and not of the future");
   }
 }
 
@@ -30,15 +30,16 @@ void checkSchedules(const World& world, const State& state) {
   require(state.schedules.size() == world.bodies.size(),
           "a state must have a schedule for each body, or for none");
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const std::string fault =
-        "body '" + world.bodies[i].name + "': its schedule must be of that body";
+    const auto requireOwn = [&](std::size_t body) {
+      require(body == i, "body '", world.bodies[i].name, "': its schedule must be of that body");
+    };
     for (const ScheduledWrench& entry : state.schedules[i].wrenches) {
       checkWrench(world, entry.wrench);
-      require(entry.wrench.body == i, fault);
+      requireOwn(entry.wrench.body);
     }
     for (const ActuatorCommand& command : state.schedules[i].commands) {
       checkCommand(world, command);
-      require(command.body == i, fault);
+      requireOwn(command.body);
     }
   }
 }
@@ -46,9 +47,8 @@ void checkSchedules(const World& world, const State& state) {
 void checkLawStates(const World& world, const State& state) {
   const double* own = state.laws.data();
   for (std::size_t law = 0; law < world.laws.size() && !state.laws.empty(); ++law) {
-    require(world.laws[law]->stateCount() == 0 || world.laws[law]->admits(own),
-            "law " + std::to_string(law) + " (" + world.laws[law]->name() +
-                "): its states must tell one of its modes");
+    require(world.laws[law]->stateCount() == 0 || world.laws[law]->admits(own), "law ", law, " (",
+            world.laws[law]->name(), "): its states must tell one of its modes");
     own += world.laws[law]->stateCount();
   }
 }
@@ -66,17 +66,17 @@ void checkPlans(const World& world, const State& state) {
     }
     for (const auto* laws : {&plan.laws, &plan.waiting_laws})
       for (std::size_t law : *laws) {
-        require(law < world.laws.size(), "no law has the index " + std::to_string(law));
+        require(law < world.laws.size(), "no law has the index ", law);
         for (std::size_t body : world.laws[law]->members())
           require(std::binary_search(plan.bodies.begin(), plan.bodies.end(), body),
                   "a plan must have every body of its laws");
       }
   }
   for (std::size_t i = 0; i < world.bodies.size() && !state.plans.empty(); ++i)
-    require(times[i] == (world.bodies[i].fixed ? 0 : 1),
-            "body '" + world.bodies[i].name + "': it must have one plan");
+    require(times[i] == (world.bodies[i].fixed ? 0 : 1), "body '", world.bodies[i].name,
+            "': it must have one plan");
   for (std::size_t law : state.near_laws)
-    require(law < world.laws.size(), "no law has the index " + std::to_string(law));
+    require(law < world.laws.size(), "no law has the index ", law);
 }
 
 void checkAnchors(const World& world, const State& state) {
@@ -85,8 +85,8 @@ void checkAnchors(const World& world, const State& state) {
   for (std::size_t i = 0; i < state.anchors.size(); ++i) {
     if (world.bodies[i].fixed) continue;
     const MotionAnchor& anchor = state.anchors[i];
-    require(anchor.t <= state.t && !std::isnan(anchor.horizon),
-            "body '" + world.bodies[i].name + "': its anchor must not be of the future");
+    require(anchor.t <= state.t && !std::isnan(anchor.horizon), "body '", world.bodies[i].name,
+            "': its anchor must not be of the future");
     checkBodyState(world, i, anchor.state);
   }
 }
@@ -96,17 +96,17 @@ void checkAnchors(const World& world, const State& state) {
 void checkState(const World& world, const State& state) {
   const double h = world.solver.time_step, steps = state.t / h;
   require(steps >= 0 && steps <= kMaxSteps && std::abs(steps - std::round(steps)) <= 1e-6,
-          "time must be a multiple of time_step, from 0 to 2^53 of them", state.t);
+          "time must be a multiple of time_step, from 0 to 2^53 of them", Got{state.t});
   require(state.bodies.size() == world.bodies.size(),
-          "a state must have as many bodies as its world, " + std::to_string(world.bodies.size()) +
-              ", got " + std::to_string(state.bodies.size()));
+          "a state must have as many bodies as its world, ", world.bodies.size(), ", got ",
+          state.bodies.size());
   std::size_t law_states = 0;
   for (const auto& law : world.laws) law_states += law->stateCount();
   require(state.laws.empty() || state.laws.size() == law_states,
-          "a state must have as many states of laws as its world, " + std::to_string(law_states) +
-              ", got " + std::to_string(state.laws.size()));
+          "a state must have as many states of laws as its world, ", law_states, ", got ",
+          state.laws.size());
   for (double own : state.laws)
-    require(std::isfinite(own), "states of laws must be finite numbers", own);
+    require(std::isfinite(own), "states of laws must be finite numbers", Got{own});
   checkLawStates(world, state);
   checkActuatorStates(world, state);
   checkSchedules(world, state);
