@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -126,6 +127,9 @@ std::string nameRule();
 std::string readFrameName(const Entry& value);
 bool isFrameName(std::string_view text);
 std::string frameNameRule();
+
+/// The number that a plain scalar stands for, .inf and .nan included; none where it is no number.
+std::optional<double> numberIn(const YamlNode& node);
 
 /// The nearest double; finite. `unit` is for the message; empty: a pure number.
 double readNumber(const Entry& value, const std::string& unit);

@@ -13,6 +13,10 @@ BodyDef readBody(const Entry& entry);
 bool readBodyKey(const Entry& list_item, std::string_view key, BodyDef& body);
 
 WrenchDef readWrench(const Entry& entry);
+
+/// Reads one key of a wrench anew.
+void readWrenchKey(const Entry& list_item, std::string_view key, WrenchDef& wrench);
+
 ForceDef readForce(const Entry& entry);
 ContactDef readContact(const Entry& entry);
 MediumDef readMedium(const Entry& entry);

@@ -40,7 +40,8 @@ bool isDecimal(std::string_view text) {
   return i == text.size();
 }
 
-/// The number that a plain scalar stands for, .inf and .nan included; none where it is no number.
+}  // namespace
+
 std::optional<double> numberIn(const YamlNode& node) {
   if (node.kind() != YamlNode::Kind::kScalar || node.quoted()) return std::nullopt;
   constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -58,6 +59,8 @@ std::optional<double> numberIn(const YamlNode& node) {
   readNumberText(node.text().data(), node.text().data() + node.text().size(), number);
   return number;
 }
+
+namespace {
 
 /// As in URDF: about the fixed axes, roll about x first, then pitch about y, then yaw about z.
 Quaterniond readRollPitchYaw(const Entry& value) {

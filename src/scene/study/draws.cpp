@@ -8,7 +8,6 @@
 #include <rigid_body_sim/math/rotation.hpp>
 
 #include "math/counter_draws.hpp"
-#include "scene/files/number_text.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -16,22 +15,13 @@ namespace {
 /// The inverse of the normal distribution's cumulative function; 0 < u < 1.
 double normalQuantile(double u) { return -std::sqrt(2.0) * boost::math::erfc_inv(2 * u); }
 
-SceneValue numberValue(double x) { return {{{numberText(x)}}, false}; }
-
 SceneValue orientationValue(const Quaterniond& q) {
-  SceneValue value;
-  value.is_list = true;
-  for (double x : {q.x(), q.y(), q.z(), q.w()}) value.words.push_back({numberText(x)});
-  return value;
+  return SceneValue::of({q.x(), q.y(), q.z(), q.w()});
 }
 
 Quaterniond orientationIn(const SceneValue& value) {
-  Eigen::Vector4d q;
-  for (int i = 0; i < 4; ++i) {
-    const std::string& text = value.words[static_cast<std::size_t>(i)].text;
-    readNumberText(text.data(), text.data() + text.size(), q[i]);
-  }
-  return Quaterniond(q);
+  const auto component = [&](std::size_t i) { return value.words[i].number.value(); };
+  return {component(3), component(0), component(1), component(2)};
 }
 
 /// Uniform over all attitudes. Source: Shoemake, "Uniform random rotations", Graphics Gems III.
@@ -93,10 +83,11 @@ double Draws::normal(std::size_t index, std::int64_t run, std::uint32_t componen
 SceneValue Draws::value(std::size_t index, std::int64_t run, const SceneValue& own) const {
   const Distribution& distribution = study_.vary[index].distribution;
   if (const auto* d = std::get_if<NormalDistribution>(&distribution))
-    return numberValue(d->mean + d->stddev * normal(index, run, 0));
+    return SceneValue::of(d->mean + d->stddev * normal(index, run, 0));
   if (const auto* d = std::get_if<UniformDistribution>(&distribution)) {
     const double u = uniform(index, run, 0);
-    return numberValue(std::min((1 - u) * d->low + u * d->high, std::nextafter(d->high, d->low)));
+    return SceneValue::of(
+        std::min((1 - u) * d->low + u * d->high, std::nextafter(d->high, d->low)));
   }
   if (const auto* d = std::get_if<ListDistribution>(&distribution)) {
     const auto count = static_cast<double>(d->values.size());

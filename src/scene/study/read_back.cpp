@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/files/number_text.hpp"
 #include "scene/study/scene_path.hpp"
 
 namespace rigid_body_sim {
@@ -11,7 +10,7 @@ namespace rigid_body_sim {
 ReadBack::ReadBack(const std::string& path, std::size_t body) : body_(body) {
   std::vector<PathStep> steps = stepsOf(path);
   if (steps.back().item) {
-    item_ = steps.back().item;
+    item_ = static_cast<Eigen::Index>(*steps.back().item);
     steps.pop_back();
   }
   if (steps.size() == 3 && steps[0].name == "wrenches") wrench_ = steps[1].item;
@@ -69,42 +68,40 @@ std::optional<Vector3d> ReadBack::vector(const Scene& scene, const World& world,
   return Vector3d(motion.q_WB.conjugate() * v_W);
 }
 
-std::optional<std::vector<double>> ReadBack::numbers(const Scene& scene, const World& world,
-                                                     const State& initial) const {
-  if (const std::optional<double> number = solverNumber(world)) return std::vector{*number};
-  if (const std::optional<double> number = bodyNumber(world)) return std::vector{*number};
-  std::vector<double> all;
+std::optional<ReadBack::Numbers> ReadBack::numbers(const Scene& scene, const World& world,
+                                                   const State& initial) const {
+  const auto one = [](double x) -> Numbers { return Numbers::Constant(1, x); };
+  if (const std::optional<double> number = solverNumber(world)) return one(*number);
+  if (const std::optional<double> number = bodyNumber(world)) return one(*number);
+  Numbers all;
   if (whole_ == "orientation" && body_ != VariedScene::kNoBody) {
-    const Quaterniond q = toBodyFrameMotion(world.bodies[body_], initial.bodies[body_]).q_WB;
-    all = {q.x(), q.y(), q.z(), q.w()};
+    all = toBodyFrameMotion(world.bodies[body_], initial.bodies[body_]).q_WB.coeffs();
   } else if (const std::optional<Vector3d> v = vector(scene, world, initial)) {
-    all = {v->x(), v->y(), v->z()};
+    all = *v;
   } else {
     return std::nullopt;
   }
   if (!item_) return all;
-  return std::vector{all[*item_]};
+  return one(all[*item_]);
 }
 
-SceneValue asReadBack(const SceneValue& given, const std::optional<std::vector<double>>& world) {
+std::optional<SceneValue> otherReadBack(const SceneValue& given,
+                                        const std::optional<ReadBack::Numbers>& world) {
   constexpr double kRounding = 1e-9;
-  if (!world || world->size() != given.words.size()) return given;
+  if (!world || world->size() != static_cast<Eigen::Index>(given.words.size())) return std::nullopt;
   double scale = 0, same = 0, opposite = 0;
-  for (std::size_t i = 0; i < world->size(); ++i) {
-    const std::string& text = given.words[i].text;
-    double x = 0;
-    if (!readNumberText(text.data(), text.data() + text.size(), x)) return given;
-    scale = std::max(scale, std::abs(x));
-    same = std::max(same, std::abs((*world)[i] - x));
-    opposite = std::max(opposite, std::abs((*world)[i] + x));
+  for (Eigen::Index i = 0; i < world->size(); ++i) {
+    const std::optional<double>& x = given.words[static_cast<std::size_t>(i)].number;
+    if (!x) return std::nullopt;
+    scale = std::max(scale, std::abs(*x));
+    same = std::max(same, std::abs((*world)[i] - *x));
+    opposite = std::max(opposite, std::abs((*world)[i] + *x));
   }
   // q and −q are one attitude
   if (world->size() == 4) same = std::min(same, opposite);
-  if (!(same > kRounding * scale)) return given;
-  SceneValue read;
-  read.is_list = given.is_list;
-  for (double x : *world) read.words.push_back({numberText(x)});
-  return read;
+  if (!(same > kRounding * scale)) return std::nullopt;
+  if (!given.is_list) return SceneValue::of((*world)[0]);
+  return SceneValue::of(std::vector<double>(world->data(), world->data() + world->size()));
 }
 
 }  // namespace rigid_body_sim

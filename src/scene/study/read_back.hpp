@@ -17,10 +17,13 @@ class ReadBack {
   /// body: that the path names, as an index, or VariedScene::kNoBody.
   ReadBack(const std::string& path, std::size_t body);
 
+  /// As many as a value of a scene may have, without memory of its own.
+  using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4, 1>;
+
   /// The numbers that the world and its initial state have at the path; none for one that they do
   /// not keep as it was given, such as the length of a part's side.
-  std::optional<std::vector<double>> numbers(const Scene& scene, const World& world,
-                                             const State& initial) const;
+  std::optional<Numbers> numbers(const Scene& scene, const World& world,
+                                 const State& initial) const;
 
  private:
   std::optional<Vector3d> vector(const Scene& scene, const World& world,
@@ -30,12 +33,13 @@ class ReadBack {
 
   std::string whole_;  ///< the path without the last item's number, and without the body
   std::size_t body_;
-  std::optional<std::size_t> item_;
+  std::optional<Eigen::Index> item_;
   std::optional<std::size_t> wrench_;
 };
 
-/// What to write for a value that was set: the value as it was given where the world has it, but
+/// What to write for a value that was set: none, it is as it was given, where the world has it, but
 /// for rounding; what the world has where it differs by more.
-SceneValue asReadBack(const SceneValue& given, const std::optional<std::vector<double>>& world);
+std::optional<SceneValue> otherReadBack(const SceneValue& given,
+                                        const std::optional<ReadBack::Numbers>& world);
 
 }  // namespace rigid_body_sim

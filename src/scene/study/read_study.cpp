@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 
 #include <rigid_body_sim/scene/scene_error.hpp>
 
+#include "scene/files/number_text.hpp"
 #include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/readers/entry.hpp"
@@ -11,13 +13,19 @@
 namespace rigid_body_sim {
 namespace {
 
+/// A scene refuses what is not finite by its text.
+SceneValue::Word numberWord(double x) {
+  return {numberText(x), false, std::isfinite(x) ? std::optional<double>(x) : std::nullopt};
+}
+
 SceneValue readValue(const Entry& value) {
   using Kind = YamlNode::Kind;
   SceneValue read;
   const auto add = [&](const Entry& entry) {
     if (entry.node().kind() != Kind::kScalar)
       entry.failRule("must be a number, a word or a list of these");
-    read.words.push_back({std::string(entry.node().text()), entry.node().quoted()});
+    read.words.push_back(
+        {std::string(entry.node().text()), entry.node().quoted(), numberIn(entry.node())});
   };
   read.is_list = value.node().kind() == Kind::kList;
   if (!read.is_list) {
@@ -110,6 +118,15 @@ void refuseManyRuns(const Study& study, const Entry& root) {
 }
 
 }  // namespace
+
+SceneValue SceneValue::of(double x) { return {{numberWord(x)}, false}; }
+
+SceneValue SceneValue::of(const std::vector<double>& list) {
+  SceneValue value;
+  value.is_list = true;
+  for (const double x : list) value.words.push_back(numberWord(x));
+  return value;
+}
 
 bool SceneValue::operator==(const SceneValue& other) const {
   return is_list == other.is_list &&

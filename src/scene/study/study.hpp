@@ -15,9 +15,14 @@ struct SceneValue {
   struct Word {
     std::string text;
     bool quoted = false;
+    std::optional<double> number{};  ///< that the text is, where it was found already
   };
   std::vector<Word> words;
   bool is_list = false;
+
+  /// Of a number, and of a list of numbers.
+  static SceneValue of(double x);
+  static SceneValue of(const std::vector<double>& list);
 
   bool operator==(const SceneValue& other) const;
 };

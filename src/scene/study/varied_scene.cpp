@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/files/number_text.hpp"
 #include "scene/readers/read_scene.hpp"
 #include "scene/readers/readers.hpp"
 #include "scene/study/scene_path.hpp"
@@ -12,15 +11,18 @@
 namespace rigid_body_sim {
 namespace {
 
+SceneValue::Word wordOf(const YamlNode& node) {
+  return {std::string(node.text()), node.quoted(), numberIn(node)};
+}
+
 SceneValue valueOf(const YamlNode& node) {
   SceneValue value;
   value.is_list = node.kind() == YamlNode::Kind::kList;
   if (!value.is_list) {
-    value.words.push_back({std::string(node.text()), node.quoted()});
+    value.words.push_back(wordOf(node));
     return value;
   }
-  for (const YamlNode& item : node.children())
-    value.words.push_back({std::string(item.text()), item.quoted()});
+  for (const YamlNode& item : node.children()) value.words.push_back(wordOf(item));
   return value;
 }
 
@@ -51,8 +53,8 @@ void place(const SceneValue& value, YamlNode& node, YamlDocument& document) {
 const std::vector<std::pair<std::string, SceneValue>>& optionalKeys() {
   static const Scene scene;
   static const std::vector<std::pair<std::string, SceneValue>> keys = {
-      {"tolerance", {{{numberText(scene.tolerance)}}, false}},
-      {"horizon", {{{numberText(scene.horizon)}}, false}},
+      {"tolerance", SceneValue::of(scene.tolerance)},
+      {"horizon", SceneValue::of(scene.horizon)},
       {"integrator", {{{scene.integrator}}, false}}};
   return keys;
 }
@@ -73,9 +75,7 @@ VariedScene::VariedScene(const std::string& text, ReadContext context, const Stu
 /// Orientations of bodies, and keys of the scene, that are left out and varied. First of all, since
 /// nodes move.
 void VariedScene::addDefaults(const Study& study) {
-  // for good: nodes refer to their texts
   static const SceneValue identity{{{"0"}, {"0"}, {"0"}, {"1"}}, true};
-  static const std::vector<std::pair<std::string, SceneValue>> optional_keys = optionalKeys();
   const auto add = [&](YamlNode& mapping, const std::string& key, const SceneValue& value) {
     if (mapping.kind() != YamlNode::Kind::kMapping || mapping.find(key)) return;
     const YamlNodes<YamlNode> before = mapping.children();
@@ -87,7 +87,7 @@ void VariedScene::addDefaults(const Study& study) {
     defaults_added_ = true;
   };
   for (const Varied& varied : study.vary) {
-    for (const auto& [key, value] : optional_keys)
+    for (const auto& [key, value] : optionalKeys())
       if (varied.path == key) add(document_.root, key, value);
     const std::vector<PathStep> steps = stepsOf(varied.path);
     if (steps.size() != 3 || steps[0].name != "bodies" || steps[2].name != "orientation") continue;
@@ -120,8 +120,7 @@ void VariedScene::addSlot(const Varied& varied, const Study& study) {
   if (orientation) {
     Entry root(context_, document_.root);
     const Quaterniond q = readOrientation(root.child(*slot.node));
-    slot.own.is_list = true;
-    for (double x : {q.x(), q.y(), q.z(), q.w()}) slot.own.words.push_back({numberText(x)});
+    slot.own = SceneValue::of({q.x(), q.y(), q.z(), q.w()});
   } else {
     slot.own = valueOf(*slot.node);
   }
@@ -153,6 +152,7 @@ void VariedScene::findPart(Slot& slot) {
     YamlNode& list = *follow(document_.root, steps[0]);
     slot.part = part;
     slot.entry = static_cast<std::size_t>(follow(list, steps[1]) - list.children().begin());
+    if (part == Part::kWrench) slot.key = steps[2].name;
     for (const char* own : {"mass", "position", "orientation", "twist"})
       if (part == Part::kBody && steps[2].name == own) slot.key = own;
   }
@@ -191,9 +191,13 @@ bool VariedScene::isReadBefore(std::size_t index) const {
 
 void VariedScene::readEntry(const Slot& slot) {
   const Entry root(context_, document_.root);
-  if (!slot.key.empty()) {
+  if (slot.part == Part::kBody && !slot.key.empty()) {
     const Entry list = root.child(*document_.root.find("bodies"));
     if (readBodyKey(list.item(slot.entry), slot.key, scene_.bodies[slot.entry])) return;
+  }
+  if (slot.part == Part::kWrench) {
+    const Entry list = root.child(*document_.root.find("wrenches"));
+    return readWrenchKey(list.item(slot.entry), slot.key, scene_.wrenches[slot.entry]);
   }
   const auto read = [&](const char* key, auto& entries, const auto& reader) {
     const Entry list = root.child(*document_.root.find(key));
@@ -201,7 +205,6 @@ void VariedScene::readEntry(const Slot& slot) {
   };
   if (slot.part == Part::kBody) read("bodies", scene_.bodies, readBody);
   if (slot.part == Part::kForce) read("forces", scene_.forces, readForce);
-  if (slot.part == Part::kWrench) read("wrenches", scene_.wrenches, readWrench);
   if (slot.part == Part::kCommand) read("commands", scene_.commands, readCommand);
 }
 

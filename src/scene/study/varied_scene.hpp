@@ -25,6 +25,9 @@ class VariedScene {
   /// The value at the path number `index` of the study, as the file has it; none: it has not.
   const SceneValue& own(std::size_t index) const { return slots_[index].own; }
 
+  /// What it is at present.
+  const SceneValue& now(std::size_t index) const { return slots_[index].now; }
+
   /// Replaces it.
   void set(std::size_t index, SceneValue value);
 
@@ -54,7 +57,7 @@ class VariedScene {
     std::string path;
     Part part = Part::kWhole;
     std::size_t entry = 0;  ///< index in its list
-    std::string key;        ///< of a body; where it can be read by itself, else empty
+    std::string key;        ///< where it can be read by itself, else empty
     YamlNode* node = nullptr;
     SceneValue own, now;
     bool is_read = true;

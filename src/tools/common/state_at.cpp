@@ -6,7 +6,7 @@
 
 namespace rigid_body_sim {
 
-State stateAt(Simulation& simulation, double t, const StepHooks& hooks) {
+bool stepTo(Simulation& simulation, double t, const StepHooks& hooks) {
   const double h = simulation.world().solver.time_step;
   // a time that misses the end of a step by rounding is there
   const double missed = std::max(1e-9, 1e-15 * t / h);
@@ -17,7 +17,11 @@ State stateAt(Simulation& simulation, double t, const StepHooks& hooks) {
     simulation.step();
     if (hooks.after) hooks.after();
   }
-  if (t - simulation.time() < missed * h) return simulation.state();
+  return t - simulation.time() < missed * h;
+}
+
+State stateAt(Simulation& simulation, double t, const StepHooks& hooks) {
+  if (stepTo(simulation, t, hooks)) return simulation.state();
   if (hooks.before) hooks.before();
   if (hooks.within) hooks.within(t);
   return simulation.sample(t);

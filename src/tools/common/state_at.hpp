@@ -14,6 +14,10 @@ struct StepHooks {
   std::function<void()> after;
 };
 
+/// Steps as far as whole steps go towards a time. Returns whether that is there, an instant that a
+/// step misses by rounding being that step's; else it is within the next step, for sample().
+bool stepTo(Simulation& simulation, double t, const StepHooks& hooks = {});
+
 /// The state at time t, to which the simulation is stepped as far as whole steps go. An instant
 /// that a step misses by rounding is that step's.
 State stateAt(Simulation& simulation, double t, const StepHooks& hooks = {});

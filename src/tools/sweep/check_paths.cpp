@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "dynamics/step_too_long.hpp"
-#include "scene/files/number_text.hpp"
 #include "scene/message_text.hpp"
 #include "scene/study/reaches.hpp"
 #include "tools/common/state_at.hpp"
@@ -38,7 +37,7 @@ std::string text(const SceneValue& value) {
 }  // namespace
 
 void SweepRunner::checkPaths() {
-  for (std::size_t i = 0; i < values_.size(); ++i) checkPath(i);
+  for (std::size_t i = 0; i < read_backs_.size(); ++i) checkPath(i);
 }
 
 /// Values to try of a path: all that are named, else some that are likely, the likeliest first.
@@ -47,7 +46,7 @@ std::vector<SceneValue> SweepRunner::probesOf(std::size_t index) const {
   if (const auto* d = std::get_if<ListDistribution>(&distribution)) return d->values;
   if (const auto* d = std::get_if<GridDistribution>(&distribution)) return d->values;
   std::vector<SceneValue> probes;
-  const auto add = [&](double x) { probes.push_back({{{numberText(x)}}, false}); };
+  const auto add = [&](double x) { probes.push_back(SceneValue::of(x)); };
   if (const auto* d = std::get_if<NormalDistribution>(&distribution))
     for (const double deviations : {0.0, 0.5, -0.5, 1.0, -1.0, 2.0, -2.0})
       add(d->mean + deviations * d->stddev);

@@ -33,6 +33,15 @@ void appendField(double x, std::string& row) {
   appendNumber(x, row);
 }
 
+/// The state at a time as far as time and bodies go: what else a state says is not asked for.
+State bodiesAt(Simulation& run, double t) {
+  if (!stepTo(run, t)) return run.sample(t);
+  State state;
+  state.t = run.time();
+  for (std::size_t i = 0; i < run.world().bodies.size(); ++i) state.bodies.push_back(run.body(i));
+  return state;
+}
+
 }  // namespace
 
 SweepRunner::SweepRunner(const SweepInputs& inputs)
@@ -42,10 +51,8 @@ SweepRunner::SweepRunner(const SweepInputs& inputs)
   const Built built = build();
   notices_ = scene_.scene().notices;
   nominal_duration_ = built.duration;
-  for (std::size_t i = 0; i < inputs.study.vary.size(); ++i) {
-    values_.push_back(scene_.own(i));
+  for (std::size_t i = 0; i < inputs.study.vary.size(); ++i)
     read_backs_.emplace_back(inputs.study.vary[i].path, scene_.bodyOf(i));
-  }
   for (std::size_t i = 0; i < built.world.bodies.size(); ++i)
     if (!built.world.bodies[i].fixed) moving_.push_back(i);
   findRecords(built.world);
@@ -97,10 +104,9 @@ void SweepRunner::findColumns(const World& world) {
       shape = grid->values.front();
     if (std::holds_alternative<NormalDistribution>(varied.distribution) ||
         std::holds_alternative<UniformDistribution>(varied.distribution))
-      shape = {{{"0"}}, false};
+      shape = SceneValue::of(0);
     for (std::size_t k = 0; k < shape.words.size(); ++k)
       columns_.push_back(varied.path + (shape.is_list ? "[" + std::to_string(k) + "]" : ""));
-    values_[i] = shape;
   }
   varied_columns_ = columns_.size() - 1;
   for (const std::size_t i : moving_)
@@ -123,10 +129,8 @@ std::string SweepRunner::fanName() const {
 }
 
 void SweepRunner::setValues(std::int64_t number) {
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    values_[i] = draws_.value(i, number, scene_.own(i));
-    scene_.set(i, values_[i]);
-  }
+  for (std::size_t i = 0; i < read_backs_.size(); ++i)
+    scene_.set(i, draws_.value(i, number, scene_.own(i)));
 }
 
 std::string SweepRunner::sceneOf(std::int64_t number) {
@@ -136,79 +140,86 @@ std::string SweepRunner::sceneOf(std::int64_t number) {
 }
 
 RunRows SweepRunner::run(std::int64_t number) {
+  constexpr std::size_t kFieldBytes = 20;
   const bool with_fan = number < SweepInfo::kFanRuns && fan_;
   RunRows rows;
+  rows.row.reserve(columns_.size() * kFieldBytes);
   rows.row = std::to_string(number);
+  std::size_t values_end = 0;  // in the row
   setValues(number);
-  const auto refuse = [&](const Built* built, const std::string& status) {
-    rows.row = std::to_string(number);
-    appendValues(built, rows.row);
+  const auto refuse = [&](const std::string& status) {
+    if (values_end == 0) values_end = appendValues(nullptr, rows.row);
+    rows.row.resize(values_end);
     rows.row.append(columns_.size() - varied_columns_ - 1, ',');
     rows.row += field(status) + "\n";
     if (with_fan) rows.fan = std::to_string(number) + std::string(kFanInstants + 1, ',') + "\n";
     rows.refusal = "run " + std::to_string(number) + ": " + status;
   };
-  std::optional<Built> built;
   try {
-    built = build();
-    simulate(*built, with_fan, number, rows);
+    Built built = build();
+    values_end = appendValues(&built, rows.row);
+    simulate(std::move(built), with_fan, number, rows);
   } catch (const SceneError& error) {
-    refuse(nullptr, std::string("refused: ") + error.what());
+    refuse(std::string("refused: ") + error.what());
   } catch (const SimulationDiverged& error) {
-    refuse(&*built, std::string("diverged: ") + error.what());
+    refuse(std::string("diverged: ") + error.what());
   } catch (const StepTooLong& error) {
-    refuse(&*built, std::string("diverged: ") + error.what());
+    refuse(std::string("diverged: ") + error.what());
   } catch (const std::invalid_argument& error) {
-    refuse(built ? &*built : nullptr, std::string("refused: ") + error.what());
+    refuse(std::string("refused: ") + error.what());
   }
   return rows;
 }
 
-Simulation SweepRunner::simulationOf(const Built& built) const {
-  if (RunRecorder::areNeededWithin(records_)) return Simulation(built.world, built.initial);
-  return quickSimulation(built.world, built.initial, built.duration);
+Simulation SweepRunner::simulationOf(Built built) const {
+  if (RunRecorder::areNeededWithin(records_))
+    return Simulation(std::move(built.world), std::move(built.initial));
+  return quickSimulation(std::move(built.world), built.initial, built.duration);
 }
 
-void SweepRunner::simulate(const Built& built, bool with_fan, std::int64_t number,
-                           RunRows& rows) const {
-  appendValues(&built, rows.row);
+void SweepRunner::simulate(Built built, bool with_fan, std::int64_t number, RunRows& rows) const {
+  const double duration = built.duration;
   const bool within = RunRecorder::areNeededWithin(records_);
-  Simulation run = simulationOf(built);
-  if (!everyMotionIsSolved(run)) run.trackError();
+  std::optional<Built> again;  // what is gone through a second time
+  if (with_fan || within) again = built;
+  Simulation run = simulationOf(std::move(built));
+  const bool solved = everyMotionIsSolved(run);
+  if (!solved) run.trackError();
   std::optional<RunRecorder> recorder;
   if (!records_.empty()) recorder.emplace(records_, run);
   std::string fan;
-  if (with_fan && !within && everyMotionIsSolved(run)) {
-    // a state within a long step is found from its start on, each anew
-    World by_instants = built.world;
-    by_instants.solver.time_step = built.duration / kFanInstants;
-    Simulation beside(std::move(by_instants), built.initial);
-    follow(beside, built, nullptr, &fan);
-  } else {
-    follow(run, built, within ? &*recorder : nullptr, with_fan ? &fan : nullptr);
-  }
-  const State end = stateAt(run, built.duration);
+  if (with_fan && !within && solved)
+    fan = fanOf(*again);
+  else
+    follow(run, duration, within ? &*recorder : nullptr, with_fan ? &fan : nullptr);
+  const State end = bodiesAt(run, duration);
   if (recorder) recorder->finish(end);
   const ErrorEstimate error = run.errorEstimate();
 
-  appendStates(built.world, end, rows.row);
-  if (recorder) {
-    const auto found = within ? recorder->values(Simulation(built.world, built.initial), end.t)
-                              : recorder->values(run, 0);
-    for (const std::optional<double>& value : found)
-      if (value)
-        appendField(*value, rows.row);
-      else
-        rows.row += ',';
-  }
+  appendStates(run.world(), end, rows.row);
+  if (within)
+    appendRecords(recorder->values(Simulation(again->world, again->initial), end.t), rows.row);
+  else if (recorder)
+    appendRecords(recorder->values(run, 0), rows.row);
   appendField(error.attitude, rows.row);
   appendField(error.position, rows.row);
   rows.row += ",done\n";
   if (with_fan) rows.fan = std::to_string(number) + fan + "\n";
 }
 
+/// Of motions that are solved: a state within a long step is found from its start on, each anew, so
+/// that the steps are those of the fan.
+std::string SweepRunner::fanOf(const Built& built) const {
+  World by_instants = built.world;
+  by_instants.solver.time_step = built.duration / kFanInstants;
+  Simulation beside(std::move(by_instants), built.initial);
+  std::string fan;
+  follow(beside, built.duration, nullptr, &fan);
+  return fan;
+}
+
 /// Steps the run to its end. recorder, fan: null where they are not needed.
-void SweepRunner::follow(Simulation& run, const Built& built, RunRecorder* recorder,
+void SweepRunner::follow(Simulation& run, double duration, RunRecorder* recorder,
                          std::string* fan) const {
   StepHooks hooks;
   if (recorder) {
@@ -216,20 +227,35 @@ void SweepRunner::follow(Simulation& run, const Built& built, RunRecorder* recor
     hooks.after = [recorder] { recorder->look(); };
   }
   for (int k = 0; fan && k <= kFanInstants; ++k) {
-    const State state = stateAt(run, built.duration * k / kFanInstants, hooks);
-    appendField(fan_->of(built.world.bodies[fan_->body], state.bodies[fan_->body]), *fan);
+    const State state = stateAt(run, duration * k / kFanInstants, hooks);
+    appendField(fan_->of(run.world().bodies[fan_->body], state.bodies[fan_->body]), *fan);
   }
-  if (!fan && recorder) stateAt(run, built.duration, hooks);
+  if (!fan && recorder) stateAt(run, duration, hooks);
 }
 
-void SweepRunner::appendValues(const Built* built, std::string& row) const {
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    const SceneValue read =
-        built ? asReadBack(values_[i],
-                           read_backs_[i].numbers(scene_.read(), built->world, built->initial))
-              : values_[i];
-    for (const SceneValue::Word& word : read.words) row += "," + field(word.text);
+/// Returns where the values end in the row. built: null where there is no world to read them from.
+std::size_t SweepRunner::appendValues(const Built* built, std::string& row) const {
+  for (std::size_t i = 0; i < read_backs_.size(); ++i) {
+    const SceneValue& given = scene_.now(i);
+    std::optional<SceneValue> other;
+    if (built)
+      other =
+          otherReadBack(given, read_backs_[i].numbers(scene_.read(), built->world, built->initial));
+    for (const SceneValue::Word& word : (other ? *other : given).words) {
+      row += ',';
+      row += word.number ? word.text : field(word.text);
+    }
   }
+  return row.size();
+}
+
+void SweepRunner::appendRecords(const std::vector<std::optional<double>>& values,
+                                std::string& row) const {
+  for (const std::optional<double>& value : values)
+    if (value)
+      appendField(*value, row);
+    else
+      row += ',';
 }
 
 void SweepRunner::appendStates(const World& world, const State& end, std::string& row) const {

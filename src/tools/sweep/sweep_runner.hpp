@@ -84,17 +84,18 @@ class SweepRunner {
   std::optional<Built> builtWith(std::size_t index, const SceneValue& value, std::string& refusal);
   std::optional<State> endOf(const Built& built) const;
   bool movesAlike(Reference& reference, const Built& other, const std::string& path);
-  Simulation simulationOf(const Built& built) const;
-  void simulate(const Built& built, bool with_fan, std::int64_t number, RunRows& rows) const;
-  void follow(Simulation& run, const Built& built, RunRecorder* recorder, std::string* fan) const;
-  void appendValues(const Built* built, std::string& row) const;
+  Simulation simulationOf(Built built) const;
+  void simulate(Built built, bool with_fan, std::int64_t number, RunRows& rows) const;
+  std::string fanOf(const Built& built) const;
+  void appendRecords(const std::vector<std::optional<double>>& values, std::string& row) const;
+  void follow(Simulation& run, double duration, RunRecorder* recorder, std::string* fan) const;
+  std::size_t appendValues(const Built* built, std::string& row) const;
   void appendStates(const World& world, const State& end, std::string& row) const;
 
   const SweepInputs& inputs_;
   VariedScene scene_;
   Draws draws_;
-  std::vector<SceneValue> values_;    ///< of the present run, path by path
-  std::vector<ReadBack> read_backs_;  ///< likewise
+  std::vector<ReadBack> read_backs_;  ///< path by path
   std::vector<std::size_t> moving_;   ///< bodies
   std::vector<RunRecorder::Record> records_;
   std::optional<Quantity> fan_;

@@ -1,3 +1,4 @@
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,30 @@ TEST(VariedScene, KeepsTheTextsOfKeysThatItAdds) {
   scene.set(4, number("3"));
   EXPECT_EQ(scene.scene().horizon, 10);
   EXPECT_NE(scene.yaml().find("tolerance: 1e-9"), std::string::npos) << scene.yaml();
+}
+
+// A number is read where it was found already, and a text where there is none.
+TEST(VariedScene, ReadsAKeyOfAWrenchByItself) {
+  const std::vector<std::string> paths = {"wrenches[0].force[1]", "wrenches[0].frame",
+                                          "wrenches[0].duration"};
+  VariedScene scene(kVariedScene, contextOf("scene.yaml"), studyVarying(paths));
+  scene.set(0, SceneValue::of(-0.25));
+  scene.set(1, number("world"));
+  const WrenchDef& wrench = scene.scene().wrenches[0];
+  EXPECT_EQ(wrench.force, Vector3d(0, -0.25, 1));
+  EXPECT_EQ(wrench.frame, "world");
+  EXPECT_EQ(wrench.point_frame, "box/tip");
+  scene.set(2, SceneValue::of(-1));
+  try {
+    scene.scene();
+    FAIL() << "a duration below zero is taken";
+  } catch (const SceneError& error) {
+    EXPECT_STREQ(error.what(), "scene.yaml:14: wrenches[0]: duration must be > 0 s, got -1");
+  }
+  scene.set(2, SceneValue::of(std::numeric_limits<double>::infinity()));
+  EXPECT_THROW(scene.scene(), SceneError);
+  scene.set(2, scene.own(2));
+  EXPECT_EQ(scene.scene().wrenches[0].duration, 1);
 }
 
 TEST(VariedScene, SetsValuesAsIfTheyStoodInTheFile) {
@@ -169,8 +194,8 @@ TEST(ReadBack, FindsEveryValueInTheBuiltWorld) {
     const auto read = ReadBack(path, scene.bodyOf(0))
                           .numbers(scene.scene(), world, initialState(scene.scene(), world));
     ASSERT_TRUE(read) << path;
-    ASSERT_EQ(read->size(), 1U) << path;
-    EXPECT_NEAR(read->front(), value, 1e-14) << path;
+    ASSERT_EQ(read->size(), 1) << path;
+    EXPECT_NEAR((*read)[0], value, 1e-14) << path;
   }
 }
 
@@ -196,25 +221,32 @@ bodies:
       const World world = buildWorld(scene.scene());
       return ReadBack(path, scene.bodyOf(0))
           .numbers(scene.scene(), world, initialState(scene.scene(), world))
-          .value_or(std::vector<double>());
+          .value_or(ReadBack::Numbers());
     };
     for (const auto& [key, value] : cases) {
-      const std::vector<double> read = readBack(key, number(std::to_string(value)));
-      ASSERT_EQ(read.size(), 1U) << key;
-      EXPECT_NEAR(read.front(), value, 1e-14) << key << pivot;
+      const ReadBack::Numbers read = readBack(key, number(std::to_string(value)));
+      ASSERT_EQ(read.size(), 1) << key;
+      EXPECT_NEAR(read[0], value, 1e-14) << key << pivot;
     }
-    const std::vector<double> q = {0.1, -0.7, 0.1, 0.7},
-                              read = readBack("orientation",
-                                              {{{"0.1"}, {"-0.7"}, {"0.1"}, {"0.7"}}, true});
-    ASSERT_EQ(read.size(), 4U);
+    const std::vector<double> q = {0.1, -0.7, 0.1, 0.7};
+    const ReadBack::Numbers read =
+        readBack("orientation", {{{"0.1"}, {"-0.7"}, {"0.1"}, {"0.7"}}, true});
+    ASSERT_EQ(read.size(), 4);
     const double sign = read[3] < 0 ? -1 : 1;
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(sign * read[i], q[i], 1e-14) << pivot;
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(sign * read[static_cast<Eigen::Index>(i)], q[i], 1e-14) << pivot;
   }
 }
 
 TEST(ReadBack, ShowsAValueThatTheWorldDoesNotHave) {
-  EXPECT_EQ(asReadBack(number("2"), std::vector<double>{2 + 1e-13}).words[0].text, "2");
-  EXPECT_EQ(asReadBack(number("2"), std::vector<double>{2.5}).words[0].text, "2.5");
+  const auto in_world = [](double x) -> ReadBack::Numbers {
+    return ReadBack::Numbers::Constant(1, x);
+  };
+  EXPECT_FALSE(otherReadBack(SceneValue::of(2), in_world(2 + 1e-13)));
+  const std::optional<SceneValue> other = otherReadBack(SceneValue::of(2), in_world(2.5));
+  ASSERT_TRUE(other);
+  EXPECT_EQ(other->words[0].text, "2.5");
+  EXPECT_FALSE(other->is_list);
 }
 
 }  // namespace rigid_body_sim
