@@ -28,6 +28,14 @@ bool namesItsValues(const Distribution& distribution) {
          std::holds_alternative<GridDistribution>(distribution);
 }
 
+/// Whether the integrators that vary, too, decide whether the value counts: not every one goes by
+/// it.
+bool countsBySomeIntegrator(const std::string& path, const std::vector<Varied>& vary) {
+  return (path == "time_step" || path == "tolerance") &&
+         std::any_of(vary.begin(), vary.end(),
+                     [](const Varied& varied) { return varied.path == "integrator"; });
+}
+
 std::string text(const SceneValue& value) {
   std::string all;
   for (const SceneValue::Word& word : value.words) all += (all.empty() ? "" : ", ") + word.text;
@@ -110,7 +118,9 @@ void SweepRunner::checkPath(std::size_t index) {
   };
   const bool all_must_do = namesItsValues(varied.distribution);
   // what is under `forces` are parameters of laws, all of which act
-  bool reaches = varied.path.rfind("forces", 0) == 0, differs = false;
+  bool reaches = varied.path.rfind("forces", 0) == 0 ||
+                 countsBySomeIntegrator(varied.path, inputs_.study.vary);
+  bool differs = false;
   std::optional<Reference> first;
   std::string refusal;
   for (const SceneValue& probe : probesOf(index)) {

@@ -46,12 +46,14 @@ void writePoints(const ColumnSummary& x, const ColumnSummary& y, std::ostream& s
 }
 
 /// The instants of the fan and percentiles of the quantity there: time, 5, 25, 50, 75, 95 %.
-bool writeFan(const std::string& fan_csv, std::ostream& script) {
+/// Returns what all of it is like; of no values, where there is none.
+ColumnSummary writeFan(const std::string& fan_csv, std::ostream& script) {
   std::ifstream in(fan_csv);
   std::string line, field;
   std::vector<std::string> times;
   std::vector<ColumnSummary> columns;
-  if (!std::getline(in, line)) return false;
+  ColumnSummary all;
+  if (!std::getline(in, line)) return all;
   std::istringstream header(line);
   std::getline(header, field, ',');
   while (std::getline(header, field, ',')) times.push_back(field);
@@ -61,20 +63,19 @@ bool writeFan(const std::string& fan_csv, std::ostream& script) {
     std::getline(row, field, ',');
     for (std::size_t k = 0; k < columns.size() && std::getline(row, field, ','); ++k) {
       double x = 0;
-      if (readNumberText(field.data(), field.data() + field.size(), x))
-        columns[k].kept.push_back(x);
+      if (!readNumberText(field.data(), field.data() + field.size(), x)) continue;
+      columns[k].kept.push_back(x);
+      all.add(x);
     }
   }
-  bool any = false;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (columns[k].kept.empty()) continue;
-    any = true;
     script << times[k];
     for (double share : {0.05, 0.25, 0.5, 0.75, 0.95})
       script << ' ' << numberText(columns[k].percentile(share));
     script << '\n';
   }
-  return any;
+  return all;
 }
 
 /// Between tics, so that three or four stand on an axis: more would overlap where numbers are long.
@@ -85,33 +86,40 @@ double ticStep(const ColumnSummary& column) {
   return power * (digit < 2 ? 1 : digit < 5 ? 2 : 5);
 }
 
-/// Of the axis of x.
-void setTics(const ColumnSummary& column, std::ostream& script) {
+void setTics(char axis, const ColumnSummary& column, std::ostream& script) {
+  script << "set " << axis << "tics nomirror ";
   if (column.least < column.greatest)
-    script << "set xtics nomirror " << numberText(ticStep(column)) << "\n";
+    script << numberText(ticStep(column)) << "\n";
   else
-    script << "set xtics nomirror autofreq\n";
+    script << "autofreq\n";
 }
 
 void plotResult(const SweepSummary& summary, std::size_t k, std::size_t place, std::size_t count,
                 std::ostream& script) {
   const double width = 1.0 / static_cast<double>(count), left = static_cast<double>(place) * width;
   const std::string name = summary.results[k].name;
-  setTics(summary.results[k], script);
-  script << "set size " << width << ",0.33\nset origin " << left << ",0.62\n"
+  setTics('x', summary.results[k], script);
+  script << "set ytics nomirror autofreq\nset size " << width << ",0.33\nset origin " << left
+         << ",0.62\n"
          << "set xlabel " << gnuplotText(name) << "\nset ylabel 'runs'\nset yrange [0:*]\n"
          << "plot $histogram" << k << " with boxes lc rgb '#4682b4' notitle\n"
          << "set yrange [*:*]\n";
   const auto most = summary.mostCorrelated(k);
   if (!most) return;
-  setTics(summary.varied[*most], script);
+  setTics('x', summary.varied[*most], script);
+  setTics('y', summary.results[k], script);
   script << "set origin " << left << ",0.31\nset xlabel "
          << gnuplotText(oneLine(summary.varied[*most].name)) << "\nset ylabel " << gnuplotText(name)
          << "\nplot $points" << k << " with points pt 7 ps 0.25 lc rgb '#4682b4' notitle\n";
 }
 
-void plotFan(const SweepInfo& info, std::ostream& script) {
-  script << "set xtics nomirror autofreq\nset size 1,0.31\nset origin 0,0\nset xlabel 'time "
+void plotFan(const SweepInfo& info, const ColumnSummary& all, std::ostream& script) {
+  // gnuplot warns of a range of nothing
+  if (all.least == all.greatest)
+    script << "set yrange [" << numberText(all.least - 1) << ":" << numberText(all.greatest + 1)
+           << "]\n";
+  script << "set xtics nomirror autofreq\nset ytics nomirror autofreq\nset size 1,0.31\nset origin "
+            "0,0\nset xlabel 'time "
             "[s]'\nset ylabel "
          << gnuplotText(info.fan) << "\nset key outside right\n"
          << "plot $fan using 1:2:6 with filledcurves lc rgb '#d6e4f0' title '5 to 95 %', \\\n"
@@ -136,16 +144,18 @@ void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::st
     }
   }
   std::ostringstream fan;
-  const bool has_fan = !info.fan.empty() && writeFan(fan_csv, fan);
+  ColumnSummary all_of_fan;
+  if (!info.fan.empty()) all_of_fan = writeFan(fan_csv, fan);
+  const bool has_fan = all_of_fan.count > 0;
   if (has_fan) script << "$fan << EOD\n" << fan.str() << "EOD\n";
   script << "set terminal svg size 1000,900 noenhanced font 'sans,13' background 'white'\n"
          << "set output " << gnuplotText(svg) << "\nset multiplot title "
          << gnuplotText(oneLine(info.title) + ": " + std::to_string(summary.done) + " runs") << "\n"
-         << "set grid lc rgb '#dddddd'\nset style fill solid\nset boxwidth 0.9 relative\n"
+         << "set grid lc rgb '#dddddd'\nset style fill solid noborder\nset boxwidth 0.9 relative\n"
          << "set xtics nomirror autofreq\nset format '%g'\n";
   for (std::size_t i = 0; i < shown.size(); ++i)
     plotResult(summary, shown[i], i, shown.size(), script);
-  if (has_fan) plotFan(info, script);
+  if (has_fan) plotFan(info, all_of_fan, script);
   script << "unset multiplot\n";
   runGnuplot(script.str(), svg);
 }
