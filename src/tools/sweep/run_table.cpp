@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace rigid_body_sim {
@@ -31,9 +32,20 @@ std::int64_t endOfRows(const std::string& path, std::int64_t rows) {
 
 }  // namespace
 
-RunTable::RunTable(std::string path, int descriptor)
-    : path_(std::move(path)), descriptor_(descriptor) {
+RunTable::RunTable(std::string path, int flags)
+    : path_(std::move(path)),
+      descriptor_(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags, 0666)) {
   if (descriptor_ < 0) failToWrite(path_);
+  // a file system without locks is taken as it is
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(descriptor_);
+  throw std::runtime_error(path_ +
+                           ": another sweep is writing it; wait for it, or name another --out");
+}
+
+void RunTable::cutTo(std::int64_t bytes) {
+  // a device cannot be cut, and has no rows to keep
+  if (ftruncate(descriptor_, bytes) != 0 && errno != EINVAL) failToWrite(path_);
 }
 
 RunTable::RunTable(RunTable&& other) noexcept
@@ -44,8 +56,8 @@ RunTable::~RunTable() {
 }
 
 RunTable RunTable::create(const std::string& path, const std::string& header) {
-  RunTable table(path,
-                 open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
+  RunTable table(path, O_CREAT);
+  table.cutTo(0);
   table.append(header + "\n");
   return table;
 }
@@ -55,9 +67,8 @@ RunTable RunTable::reopen(const std::string& path, const std::string& header, st
   std::getline(std::ifstream(path), line);
   if (line != header)
     throw std::runtime_error(path + ": is another table; remove it, or leave --resume out");
-  const std::int64_t end = endOfRows(path, rows);
-  RunTable table(path, open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
-  if (ftruncate(table.descriptor_, end) != 0) failToWrite(path);
+  RunTable table(path, 0);
+  table.cutTo(endOfRows(path, rows));
   return table;
 }
 

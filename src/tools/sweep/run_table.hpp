@@ -7,14 +7,15 @@
 namespace rigid_body_sim {
 
 /// A table in a file that at every instant holds whole rows only: each append is one write, and
-/// what a full disk cuts off is taken away again.
+/// what a full disk cuts off is taken away again. No other process has the same table open.
 class RunTable {
  public:
-  /// A new file with a header line. Throws std::runtime_error where it cannot be written.
+  /// A new file with a header line, in place of what was there. Throws std::runtime_error where it
+  /// cannot be written, and leaves it as it was where another process has it open.
   static RunTable create(const std::string& path, const std::string& header);
 
   /// A file of this header, whose first rows, as many as asked for, are kept and whose rest is cut
-  /// off. Throws std::runtime_error where it is another table.
+  /// off. Throws std::runtime_error where it is another table, or open in another process.
   static RunTable reopen(const std::string& path, const std::string& header, std::int64_t rows);
 
   RunTable(RunTable&& other) noexcept;
@@ -26,7 +27,8 @@ class RunTable {
   void append(const std::string& rows);
 
  private:
-  RunTable(std::string path, int descriptor);
+  RunTable(std::string path, int flags);
+  void cutTo(std::int64_t bytes);
 
   std::string path_;
   int descriptor_;

@@ -88,11 +88,12 @@ std::string SweepJob::writeScene(std::int64_t number) {
 std::int64_t SweepJob::rowsToKeep() const {
   const std::optional<std::string> info = textOf(path("runs", ".info"));
   const std::string table = path("runs", ".csv");
-  if (!std::filesystem::exists(table)) return 0;
+  const std::int64_t there = wholeRows(table);
+  if (there == 0) return 0;
   if (info != toText(info_))
     throw std::runtime_error(table + ": is of another sweep; remove it, or leave --resume out");
-  const std::int64_t rows = std::min(wholeRows(table), shard_.runsOf(info_.runs));
-  if (info_.fan.empty() || rows == 0) return rows;
+  const std::int64_t rows = std::min(there, shard_.runsOf(info_.runs));
+  if (info_.fan.empty()) return rows;
   const std::int64_t fan = wholeRows(path("fan", ".csv"));
   return fan < std::min(rows, shard_.runsOf(info_.fanRuns())) ? fan : rows;
 }
@@ -116,10 +117,10 @@ SweepJob::Tables SweepJob::openTables(std::int64_t kept) const {
     const std::string file = path(stem, ".csv");
     return kept > 0 ? RunTable::reopen(file, header, rows) : RunTable::create(file, header);
   };
-  // the description first: a table without it cannot be gone on with
-  if (kept == 0) writeText(path("runs", ".info"), toText(info_));
   const SweepRunner& runner = *runners_.front();
   Tables tables{open("runs", joined(runner.columns()), kept), std::nullopt};
+  // before any row: rows without a description cannot be gone on with
+  if (kept == 0) writeText(path("runs", ".info"), toText(info_));
   if (!info_.fan.empty())
     tables.fan.emplace(open("fan", fanHeader(runner.fanInstants()),
                             std::min(kept, shard_.runsOf(info_.fanRuns()))));

@@ -1,7 +1,11 @@
 #include <algorithm>
+#include <cstdio>
 #include <string>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "tools/sweep/sweep_bench.hpp"
 
@@ -87,13 +91,15 @@ TEST(SweepProgram, VariesATimeStepOnlyWhereItIsTaken) {
   const auto run = [&](const std::string& scene, const std::string& more) {
     return sweep(
         files.written("scene.yaml", scene) + " " +
-        files.written("study.yaml", "runs: 1\nvary: {time_step: {grid: [0.01, 0.02]}}\n" + more) +
+        files.written("study.yaml", "runs: 1\nvary:\n  time_step: {grid: [0.01, 0.02]}\n" + more) +
         " --out " + files.path("out"));
   };
   EXPECT_NE(run(test::kPushedBall, "").out.find("'time_step' varies nothing"), std::string::npos);
   // extremes are looked for at time steps
   EXPECT_EQ(run(test::kPushedBall, "record: {apex: {max: ball.pz}}").exit_code, 0);
   EXPECT_EQ(run("integrator: rk4\n" + test::kPushedBall, "").exit_code, 0);
+  // of the integrators that vary one takes it
+  EXPECT_EQ(run(test::kPushedBall, "  integrator: {grid: [auto, rk4]}\n").exit_code, 0);
 }
 
 TEST(SweepProgram, RefusesAPathThatVariesNothing) {
@@ -111,6 +117,57 @@ bodies:
     EXPECT_EQ(run.out.find("sweep: " + study + ":2: vary: '" + path + "' varies nothing"), 0U)
         << run.out;
   }
+}
+
+TEST(SweepProgram, LeavesATableAloneThatAnotherSweepIsWriting) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", test::kPushedBall);
+  const std::string study =
+      files.written("study.yaml", "runs: 3\nvary: {bodies.ball.mass: {list: [1, 2]}}");
+  const std::string command = scene + " " + study + " --out " + files.path("out");
+  ASSERT_EQ(sweep(command).exit_code, 0);
+  const std::string rows = test::fileText(files.path("out/runs.csv"));
+  const std::string info = test::fileText(files.path("out/runs.info"));
+  const int other = open(files.path("out/runs.csv").c_str(), O_WRONLY | O_APPEND);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  for (const char* options : {" --seed 4", " --resume"}) {
+    const test::Outcome run = sweep(command + options);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.out, "sweep: " + files.path("out/runs.csv") +
+                           ": another sweep is writing it; wait for it, or name another --out\n");
+  }
+  EXPECT_EQ(test::fileText(files.path("out/runs.csv")), rows);
+  EXPECT_EQ(test::fileText(files.path("out/runs.info")), info);
+  close(other);
+  EXPECT_EQ(sweep(command + " --seed 4").exit_code, 0);
+}
+
+// Neither is there a row to lose, nor do old ones say of what sweep they are.
+TEST(SweepProgram, ResumesWhereATableHasNoRows) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", test::kPushedBall);
+  const std::string study =
+      files.written("study.yaml", "runs: 3\nvary: {bodies.ball.mass: {list: [1, 2]}}");
+  const std::string command = scene + " " + study + " --resume --out " + files.path("out");
+  ASSERT_EQ(sweep(command).exit_code, 0);
+  const std::string rows = test::fileText(files.path("out/runs.csv"));
+  files.written("out/runs.csv", rows.substr(0, rows.find('\n') + 1));
+  ASSERT_EQ(remove(files.path("out/runs.info").c_str()), 0);
+  ASSERT_EQ(sweep(command).exit_code, 0);
+  EXPECT_EQ(test::fileText(files.path("out/runs.csv")), rows);
+}
+
+TEST(SweepProgram, DrawsAQuantityThatNeverChangesWithoutAWarning) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", R"(time_step: 0.5
+horizon: 1
+bodies: [{name: ball, shape: {sphere: {radius: 1}}, mass: 1, twist: {frame: world, linear: [1, 0, 0]}}]
+)");
+  const std::string study = files.written(
+      "study.yaml", "runs: 3\nvary: {'bodies.ball.twist.linear[0]': {uniform: [1, 2]}}");
+  const test::Outcome run = sweep(scene + " " + study + " --out " + files.path("out"));
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  EXPECT_EQ(run.out.find("arning"), std::string::npos) << run.out;
 }
 
 TEST(SweepProgram, ExitsWithTwoForWrongUsage) {
