@@ -20,7 +20,7 @@ Study studyOf(const std::string& vary, bool latin = false) {
 }
 
 std::vector<std::vector<double>> drawn(const Study& study, std::size_t path = 0) {
-  const SceneValue own{{{"0"}, {"0"}, {"0"}, {"1"}}, true};
+  const SceneValue own = SceneValue::of({0, 0, 0, 1});
   const Draws draws(study);
   std::vector<std::vector<double>> all(4);
   for (std::int64_t run = 0; run < kDraws; ++run) {

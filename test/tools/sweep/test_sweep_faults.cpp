@@ -82,7 +82,8 @@ wrenches: [{body: rocket, frame: world, force: [1.0e300, 0, 0], start: 0, durati
       "study.yaml", "runs: 2\nvary: {'bodies.rocket.visual.color[0]': {list: [0.1, 1]}}");
   const test::Outcome run = sweep(scene + " " + study + " --out " + files.path("out"));
   EXPECT_EQ(run.exit_code, 0) << run.out;
-  for (const std::string& status : test::tableAt(files.path("out/runs.csv")).at("status"))
+  const auto table = test::tableAt(files.path("out/runs.csv"));
+  for (const std::string& status : table.at("status"))
     EXPECT_EQ(status.rfind("diverged: ", 0), 0U) << status;
 }
 
