@@ -16,7 +16,7 @@ constexpr double kBriefly = 0.0005;  // [s] for timing a setting
 /// Enough for runs of some ten thousand steps of the lecture's update.
 inline Patience hasty(const World& world) {
   constexpr double kSteps = 2e4;
-  return {kBriefly, kSteps * methodNamed("semi_implicit_euler").cost * movingBodies(world)};
+  return {kBriefly, kSteps * methodNamed("semi_implicit_euler").cost * movingBodyCount(world)};
 }
 
 /// Every integrator that takes the world, over its ladder; auto, which chooses one, left out.
