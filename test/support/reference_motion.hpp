@@ -126,7 +126,8 @@ Motions midpoint(const std::vector<Body>& bodies, Wrenches& wrenches, Real t, Re
 
 /// The motions a duration later. The wrenches must be smooth over it: split at their instants.
 /// tolerance: of each step, relative; the default is what long double can hold. A step is also
-/// done when extrapolation gains no more, being down at the rounding of the wrenches.
+/// done when extrapolation gains no more at 1e-12, being down at the rounding of the wrenches; a
+/// kink of a wrench, such as where drag along an axis changes its sign, stops it earlier.
 /// Source: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I", II.9.
 template <class Wrenches>
 Motions advance(const std::vector<Body>& bodies, Wrenches&& wrenches, Motions motions, Real t,
@@ -140,7 +141,7 @@ Motions advance(const std::vector<Body>& bodies, Wrenches&& wrenches, Motions mo
     std::array<Motions, kColumns> table;  // the last row of the Aitken-Neville scheme
     Real error = 1, previous_error = 1;
     const auto converged = [&] {
-      return error <= tolerance || (error < 1e-7L && error > previous_error / 2);
+      return error <= tolerance || (error < 1e-12L && error > previous_error / 2);
     };
     int row = 0;
     for (; row < kColumns && !converged(); ++row) {
