@@ -15,6 +15,7 @@ namespace {
 /// pushed by a spring to the ball.
 const char* const kHung = R"(
 time_step: 0.01
+horizon: 0.3
 gravity: [0, 0, -10]
 bodies:
   - {name: hook, shape: {sphere: {radius: 0.1}}, mass: 1, position: [0, 0, 3], fixed: true}

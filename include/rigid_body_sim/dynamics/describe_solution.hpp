@@ -21,8 +21,9 @@ std::vector<std::string> describeSolution(const Simulation& simulation);
 /// Says that steps were divided further than asked for, and how far; empty if none was.
 std::string describeSubsteps(const Simulation& simulation);
 
-/// Says that the integrator has magnified the turning of a thin body about its long axis more than
-/// tenfold, and what to do; empty if it has not. See Simulation::magnification.
+/// Says that the integrator has magnified the turning of a thin body about its long axis by more
+/// than half of the digits of a number, and what to do; empty if it has not. See
+/// Simulation::magnification.
 std::string describeMagnification(const Simulation& simulation);
 
 /// Says from when on the tolerance is not held, as far as errors are tracked; empty while it is.

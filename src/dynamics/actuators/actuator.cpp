@@ -132,9 +132,12 @@ std::string actuatorsFault(const std::vector<Actuator>& actuators, const Matrix3
   }
   const double least = principalAxes(withoutSpinning(actuators, I_Bcm)).I(0);
   if (least > 1e-15 * I_Bcm.cwiseAbs().maxCoeff()) return "";
-  return "its inertia, which includes wheels and rotors, must be positive definite without theirs "
-         "about their axes, got a least principal moment of " +
-         shortest(least) + " kg m^2";
+  const std::string rule =
+      actuators.empty() ? "its inertia, about the pivot if it has one, must be positive definite "
+                          "beyond rounding: one of its moments may be too small for the others"
+                        : "its inertia, which includes wheels and rotors, must be positive "
+                          "definite without theirs about their axes";
+  return rule + ", got a least principal moment of " + shortest(least) + " kg m^2";
 }
 
 }  // namespace rigid_body_sim

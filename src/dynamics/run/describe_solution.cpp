@@ -157,17 +157,16 @@ std::string describeSubsteps(const Simulation& simulation) {
 }
 
 std::string describeMagnification(const Simulation& simulation) {
-  const double magnification = simulation.magnification();
-  if (!(magnification > std::log(10.0))) return "";
-  const SolverOptions& solver = simulation.world().solver;
-  std::ostringstream text;
-  text.precision(2);
-  text << solver.integrator
-       << " has magnified what a body turns about its axis of least inertia 10^"
-       << std::llround(magnification / std::log(10.0))
-       << " times, so that the motion may be wrong: take time_step <= "
-       << solver.time_step / magnification << ", or another integrator";
-  return text.str();
+  // of 16 digits half are left where rounding has grown that much
+  constexpr double kDigitsLost = 8;
+  const double digits = simulation.magnification() / std::log(10.0);
+  if (!(digits > kDigitsLost)) return "";
+  return simulation.world().solver.integrator +
+         " has magnified what a body turns about its axis of least inertia 10^" +
+         std::to_string(std::llround(digits)) +
+         " times, rounding, too, so that the motion may be wrong: take another integrator, or a "
+         "far "
+         "smaller time_step";
 }
 
 std::string describePromise(const Simulation& simulation) {

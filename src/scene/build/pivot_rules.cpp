@@ -1,7 +1,9 @@
 #include "scene/build/pivot_rules.hpp"
 
+#include <rigid_body_sim/mass/principal_axes.hpp>
 #include <rigid_body_sim/scene/scene_error.hpp>
 
+#include "math/shortest.hpp"
 #include "scene/build/body_mass.hpp"
 #include "scene/message_text.hpp"
 
@@ -30,9 +32,17 @@ void checkPivot(const Scene& scene, const BodyDef& body) {
     fail(body.twist.line,
          "twist.linear must be left out beside pivot, for the pivot stays where it is, got " +
              listed(body.twist.linear) + " m/s");
-  if (!turningInertia(body).allFinite())
+  const Matrix3d I = turningInertia(body);
+  if (!I.allFinite())
     fail(body.pivot->line, "pivot.point must be so near that the inertia about it is finite, got " +
                                listed(body.pivot->point) + " m");
+  // of less than 1e-15 of the greatest moment rounding leaves nothing
+  if (!(principalAxes(I).I(0) > 1e-15 * I.cwiseAbs().maxCoeff()))
+    fail(body.pivot->line,
+         "pivot.point must be so near that the body's own inertia is not lost in that about it, up "
+         "to " +
+             shortest(I.cwiseAbs().maxCoeff()) + " kg m^2, got " + listed(body.pivot->point) +
+             " m");
   for (const ForceDef& force : scene.forces)
     if (std::holds_alternative<CentralGravityDef>(force.law))
       fail(body.pivot->line, "pivot is not supported beside central_gravity");
