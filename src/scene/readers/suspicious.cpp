@@ -30,8 +30,8 @@ void noteSuspicious(const Entry& entry, const BodyDef& body) {
   std::ostringstream text;
   text.precision(3);
   if (is_fast) {
-    text << "twist.angular is " << body.twist.angular.norm() / (2 * kPi<double>)
-         << " turns/s; its unit is rad/s";
+    text << "twist.angular is "
+         << body.twist.angular.norm() / (2 * kPi<double>) << " turns/s; its unit is rad/s";
     const Entry twist = entry.child(*entry.node().find("twist"));
     note(twist.located(text.str()), entry.context().fast_spin);
   }
@@ -39,8 +39,8 @@ void noteSuspicious(const Entry& entry, const BodyDef& body) {
     const double z = (body.orientation * Vector3d::UnitZ()).z();
     const double tilt = std::acos(std::clamp(z, -1.0, 1.0));
     text.str("");
-    text << "orientation turns the z axis by " << tilt * 180 / kPi<double>
-         << " degrees; quaternions are [x, y, z, w]";
+    text << "orientation turns the z axis by "
+         << tilt * 180 / kPi<double> << " degrees; quaternions are [x, y, z, w]";
     note(entry.child(*orientation).located(text.str()), entry.context().flipped);
   }
 }
