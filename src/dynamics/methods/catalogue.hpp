@@ -21,8 +21,8 @@ enum Claim : unsigned {
   kSolves = 8,           ///< the error is rounding, whatever the step
   kEstimatesError = 16,  ///< a step leaves its error in Workspace::error, and is not done where
                          ///< that is infinite
-  kFeedsLeastAxis = 32  ///< a component of L along the axis of least inertia grows at the rate
-                        ///< ½ h (ω·L/I₁ − |ω|²)
+  kFeedsLeastAxis = 32   ///< a component of L along the axis of least inertia grows at the rate
+                         ///< ½ h (ω·L/I₁ − |ω|²)
 };
 
 /// An integrator and what it claims. The tests check every claim.
