@@ -61,8 +61,9 @@ TEST(ScenePivot, RefusesWhatContradictsIt) {
             at + "pivot.point must be so near that the inertia about it is finite, got [0, 1e+200, "
                  "0] m");
   EXPECT_EQ(armError("pivot: {point: [0, 0, 1e9]}"),
-            at + "pivot.point must be so near that the body's own inertia is not lost in that about "
-                 "it, up to 2e+18 kg m^2, got [0, 0, 1e+09] m");
+            at +
+                "pivot.point must be so near that the body's own inertia is not lost in that about "
+                "it, up to 2e+18 kg m^2, got [0, 0, 1e+09] m");
 }
 
 TEST(ScenePivot, RefusesWhatIsNotSupportedBesideIt) {
