@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/wide.hpp"
+
 namespace rigid_body_sim {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 Vector3d rollPitchYaw(const Quaterniond& q) {
   const double sine = 2 * (q.w() * q.y() - q.z() * q.x());
@@ -18,7 +18,7 @@ Vector3d rollPitchYaw(const Quaterniond& q) {
 Vector3d nearestTurn(const Vector3d& angles, const Vector3d& to) {
   Vector3d near;
   for (int i = 0; i < 3; ++i)
-    near[i] = angles[i] + 2 * kPi * std::round((to[i] - angles[i]) / (2 * kPi));
+    near[i] = angles[i] + 2 * kPi<double> * std::round((to[i] - angles[i]) / (2 * kPi<double>));
   return near;
 }
 
@@ -31,7 +31,8 @@ Vector3d AttitudeAngles::next(const Quaterniond& q_WB) {
     return last_ = a;
   }
   const Vector3d direct = nearestTurn(a, last_);
-  const Vector3d over = nearestTurn({a.x() + kPi, kPi - a.y(), a.z() + kPi}, last_);
+  const Vector3d over =
+      nearestTurn({a.x() + kPi<double>, kPi<double> - a.y(), a.z() + kPi<double>}, last_);
   last_ = (direct - last_).squaredNorm() <= (over - last_).squaredNorm() ? direct : over;
   return last_;
 }

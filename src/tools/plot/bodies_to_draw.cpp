@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "math/wide.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -38,11 +40,10 @@ std::vector<std::string> bodiesToDraw(const RunData& run) {
 }
 
 std::string bodyThatTurnsTooFar(const RunData& run, const std::vector<std::string>& bodies) {
-  constexpr double kHalfTurn = 3.14159265358979323846;
   for (const auto& [body, samples] : run.motion.all()) {
     if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) continue;
     for (std::size_t k = 1; k < samples.t.size(); ++k)
-      if (vectorAt(10, samples.rows[k]).norm() * (samples.t[k] - samples.t[k - 1]) > kHalfTurn)
+      if (vectorAt(10, samples.rows[k]).norm() * (samples.t[k] - samples.t[k - 1]) > kPi<double>)
         return body;
   }
   return "";

@@ -6,12 +6,13 @@
 
 #include <rigid_body_sim/math/rotation.hpp>
 
+#include "math/wide.hpp"
 #include "tools/plot/attitude_angles.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kDegrees = 180 / 3.14159265358979323846;
+constexpr double kDegrees = 180 / kPi<double>;
 
 using Axes = std::array<const char*, 3>;
 constexpr Axes kAxes{"x", "y", "z"};
