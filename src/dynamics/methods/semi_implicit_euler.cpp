@@ -5,6 +5,7 @@ namespace rigid_body_sim {
 // The update of the source lecture, in its order (Rotenberg, "Rigid Body Motion",
 // RigidBody::Update):
 //   p += f h,  x += p/m h,  L += τ h,  ω = I⁻¹ L with I = A I₀ Aᵀ,  A turned by |ω| h about ω
+// ω is computed, and A turned about it, in the axes of the body: I₀ is diagonal there.
 // Drag, which the lecture does not have, slows p and L down by its exact flow.
 void semiImplicitEulerStep(const System& system, double h, SystemState& states,
                            Workspace& workspace) {
@@ -15,11 +16,7 @@ void semiImplicitEulerStep(const System& system, double h, SystemState& states,
     const Body& body = *system.bodies[i];
     BodyState& s = states.bodies[i];
     driftPosition(body.mass, h, s);
-    const Vector3d w_P = angularVelocity(body.inv_I, rotateBack(s.q_WP, s.L_W));
-    const Vector3d w_W = rotate(s.q_WP, w_P);
-    s.q_WP = product(rotationExp(Vector3d(h * w_W)), s.q_WP);
-    renormalize(s.q_WP);
-    s.L_P = rotateBack(s.q_WP, s.L_W);
+    driftAlongOmega(body.inv_I, h, s);
   }
   laws.finish(system, h, states);
   workspace.wrenches_current = false;

@@ -3,15 +3,6 @@
 #include "dynamics/rotation/free_motion.hpp"
 
 namespace rigid_body_sim {
-namespace {
-
-/// L × ω by differences of moments: where two of them are equal, nothing is left for rounding to
-/// blow up over the small moment of a needle.
-Vector3d gyroscopicTorque(const Vector3d& I, const Vector3d& w) {
-  return {(I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1]};
-}
-
-}  // namespace
 
 BodyStateDot stateDot(const Body& body, const BodyState& state, const Wrench& wrench) {
   const Vector3d w_P = angularVelocity(body.inv_I, state.L_P);
@@ -20,7 +11,10 @@ BodyStateDot stateDot(const Body& body, const BodyState& state, const Wrench& wr
   dot.x_dot_W = state.p_W / body.mass;
   dot.q_dot = product(state.q_WP, half_w).coeffs();
   dot.p_dot_W = wrench.f_W;
-  dot.L_dot_P = gyroscopicTorque(body.I, w_P) + rotateBack(state.q_WP, wrench.tau_W) + wrench.tau_P;
+  const Triple<double> differences{body.I[1] - body.I[2], body.I[2] - body.I[0],
+                                   body.I[0] - body.I[1]};
+  dot.L_dot_P = vectorOf(gyroscopicTorque(differences, tripleOf(w_P))) +
+                rotateBack(state.q_WP, wrench.tau_W) + wrench.tau_P;
   return dot;
 }
 

@@ -4,9 +4,7 @@
 
 #include <rigid_body_sim/math/types.hpp>
 
-// Everything between the dispatch and the processor has to be inlined, so that what is compiled for
-// wide lanes is called where there are such lanes and nowhere else.
-#define RIGID_BODY_SIM_INLINE inline __attribute__((always_inline))
+#include "math/always_inline.hpp"
 
 namespace rigid_body_sim {
 
