@@ -50,6 +50,7 @@ rigid_body_sim_gtest(dynamics
   FOLDERS dynamics/laws dynamics/methods dynamics/run dynamics/wrenches
   LIBRARIES rigid_body_sim_core)
 rigid_body_sim_gtest(contact FOLDERS dynamics/contact LIBRARIES rigid_body_sim_core)
+rigid_body_sim_gtest(packs FOLDERS dynamics/packs LIBRARIES rigid_body_sim_core)
 rigid_body_sim_gtest(pivot FOLDERS dynamics/pivot LIBRARIES rigid_body_sim_core)
 rigid_body_sim_gtest(imu FOLDERS dynamics/imu LIBRARIES rigid_body_sim_core)
 rigid_body_sim_gtest(motors FOLDERS dynamics/motors LIBRARIES rigid_body_sim_core)

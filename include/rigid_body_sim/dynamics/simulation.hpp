@@ -63,6 +63,9 @@ class Simulation {
   BodyState body(std::size_t body) const;
   State state() const;
 
+  /// State::bodies of state(), at a fraction of its cost.
+  std::vector<BodyState> bodies() const;
+
   /// The state at a time between now and the next step; the run goes on as if never asked. Throws
   /// SimulationDiverged.
   State sample(double t) const;
@@ -73,6 +76,11 @@ class Simulation {
 
   /// One time step. Throws SimulationDiverged; then nothing has happened, to any body.
   void step();
+
+  /// So many time steps, faster than one by one: bodies that nothing disturbs are taken through
+  /// several steps while they are in the processor's cache, with the same bits. Throws
+  /// SimulationDiverged after those steps that could be taken.
+  void step(std::int64_t count);
 
   /// Takes an input over, now. Throws std::invalid_argument, and leaves all as it was, for one that
   /// breaks a rule: an unknown or fixed body, numbers that are not finite, a wrench that the

@@ -6,6 +6,7 @@
 
 #include <rigid_body_sim/dynamics/world.hpp>
 
+#include "dynamics/packs/packs.hpp"
 #include "dynamics/run/coupling.hpp"
 #include "dynamics/run/stepper.hpp"
 #include "dynamics/wrenches/wrench_schedule.hpp"
@@ -81,6 +82,12 @@ class Group {
   double restsUntil(const std::vector<WrenchSchedule>& schedules) const {
     return isAtRest() ? nextEvent(schedules) : -std::numeric_limits<double>::infinity();
   }
+
+  /// How it moves, where that is the same from step to step; see Packs.
+  std::optional<SteadyMotion> steadyMotion() const;
+
+  /// Goes on at time t, the present, from where packs have led it.
+  void goOnFrom(double t, const Packs::Stepped& stepped);
 
   /// Whether its motion is known beforehand: solved, or at rest.
   bool isForeseen() const { return !choice().method || isAtRest(); }

@@ -152,7 +152,7 @@ void Grouping::formAtTwiceTheStep(RunState& coarse, const RunState& fine) {
     choice.max_turn_share *= 2;
     std::vector<BodyState> states;
     for (std::size_t k = 0; k < group.members().size(); ++k)
-      states.push_back(group.at(fine.time, k));
+      states.push_back(fine.present(group.members()[k]));
     coarse.groups.add(Group(*coarse.world, coarse.laws, group.bodies(), choice, fine.time,
                             std::move(states), coarse.law_states, coarse.schedules),
                       coarse.schedules);

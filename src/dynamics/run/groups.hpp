@@ -61,6 +61,10 @@ class Groups {
   /// Group::knownUntil of group g; kNotKnown once it is forgotten.
   double knownUntil(std::size_t g) const { return known_until_[g]; }
   void forgetKnown(std::size_t g) { known_until_[g] = kNotKnown; }
+
+  /// Of a group that is advanced elsewhere: it need not be here.
+  void setElsewhere(std::size_t g) { known_until_[g] = std::numeric_limits<double>::infinity(); }
+
   void findKnown(std::size_t g, const std::vector<WrenchSchedule>& schedules) {
     known_until_[g] = groups_[g].knownUntil(schedules);
   }

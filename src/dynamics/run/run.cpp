@@ -24,6 +24,7 @@ Run Run::atTwiceTheStep() const {
   coarse.now_.steps = now_.steps / 2;
   coarse.now_.law_states = now_.lawStates();
   coarse.grouping_.formAtTwiceTheStep(coarse.now_, now_);
+  coarse.now_.beginPacks();
   return coarse;
 }
 
@@ -47,16 +48,19 @@ void Run::place(const State& start, bool scheduled) {
   contacts_.place(now_.steps);
   if (start.laws.empty()) contacts_.start(now_, now_.laws.oneSided(), start.bodies);
   grouping_.form(now_, start, scheduled);
+  now_.beginPacks();
 }
 
 /// One step; of groups whose motion is known beyond it only if they are metered.
 void Run::advance(ExchangeMeter* meter) {
   const double t_end = static_cast<double>(now_.steps + 1) * now_.world->solver.time_step;
   const double known_beyond = meter ? std::numeric_limits<double>::infinity() : t_end;
+  if (now_.packs.isUsed()) preparePacks(t_end, meter != nullptr);
   try {
     if (grouping_.mayChangeBy(t_end))
       LinkingStep(now_, grouping_, contacts_, step_, t_end, meter).advance();
-    for (std::size_t g = 0; g < now_.groups.size(); ++g) {
+    const bool all_packed = now_.packs.size() == now_.groups.size();
+    for (std::size_t g = 0; !all_packed && g < now_.groups.size(); ++g) {
       if (known_beyond < now_.groups.knownUntil(g)) continue;
       step_.beginGroup(g, t_end, now_.groups, now_.schedules);
       now_.advance(now_.groups[g], t_end, now_.schedules, meter);
@@ -72,21 +76,29 @@ void Run::takeBack() {
   const bool regrouped = step_.hasRegrouped();
   step_.takeBack(*now_.world, now_.groups, now_.schedules, now_.law_states);
   if (regrouped) grouping_.findNextLink(now_);
+  for (std::size_t body : now_.packs.bodies()) now_.groups.setElsewhere(now_.groups.indexOf(body));
   grouping_.watches().wakeUp();
 }
 
 void Run::accept(double t_end) {
   std::vector<std::size_t> switched;
   if (step_.hasBegun()) {
-    if (step_.hasRegrouped()) grouping_.findNextLink(now_);
+    if (step_.hasRegrouped()) {
+      grouping_.findNextLink(now_);
+      now_.offerAll();
+    }
+    for (std::size_t body : step_.scheduled()) now_.packs.offer(body);
     switched = step_.accept(t_end, now_.groups, now_.schedules);
   }
   now_.time = t_end;
   ++now_.steps;
+  if (now_.packs.size() > 0) now_.stepPacks(1);
   if (!switched.empty()) grouping_.regroup(now_, switched, t_end);
 }
 
 void Run::put(const std::string& slot, const PointWrench& wrench) {
+  now_.unpack(wrench.body);
+  if (!HeldWrench::holds(wrench)) now_.unpackAll();
   WrenchSchedule& schedule = now_.schedules[wrench.body];
   const bool was_linked = !schedule.allHeld();
   schedule.put(slot, wrench, now_.time);
@@ -99,21 +111,27 @@ void Run::put(const std::string& slot, const PointWrench& wrench) {
   bodies.push_back(wrench.body);
   grouping_.regroup(now_, bodies, now_.time);
   grouping_.findNextLink(now_);
+  now_.offerAll();
 }
 
 bool Run::clear(std::size_t body, const std::string& slot) {
   WrenchSchedule& schedule = now_.schedules[body];
   const bool all_held = schedule.allHeld();
   if (!(slot.empty() ? schedule.clear() : schedule.clear(slot))) return false;
+  now_.unpack(body);
   grouping_.disturb(now_, body);
   restartGroup(body);
-  if (!all_held) grouping_.regroup(now_, {body}, now_.time);
+  if (!all_held) {
+    grouping_.regroup(now_, {body}, now_.time);
+    now_.offerAll();
+  }
   if (std::isfinite(grouping_.nextLink())) grouping_.findNextLink(now_);
   return true;
 }
 
 /// What is to come changes nothing before: the motion stays anchored where it is.
 void Run::command(const ActuatorCommand& command) {
+  now_.unpack(command.body);
   now_.schedules[command.body].command(command, now_.time);
   grouping_.disturb(now_, command.body);
   if (command.start <= now_.time)
@@ -123,6 +141,7 @@ void Run::command(const ActuatorCommand& command) {
 }
 
 void Run::setState(std::size_t body, const BodyState& state) {
+  now_.unpack(body);
   grouping_.disturb(now_, body);
   const BodyState now = motors_.follow(now_, body, state);
   restartGroup(body);

@@ -34,13 +34,18 @@ class Run {
   /// One time step. Throws SimulationDiverged; then nothing has happened, to any body.
   void step() { advance(nullptr); }
 
-  /// The same, every piece of motion shown to the meter.
+  /// So many steps. Throws SimulationDiverged after those that could be taken.
+  void step(std::int64_t count);
+
+  /// The same as step(), every piece of motion shown to the meter.
   void step(ExchangeMeter& meter) { advance(&meter); }
 
   BodyState body(std::size_t body) const {
+    if (now_.packs.holds(body)) return now_.packs.state(body);
     if (now_.world->bodies[body].fixed) return now_.start->bodies[body];
     return now_.groups.at(body, now_.time);
   }
+  std::vector<BodyState> bodies() const;
   State state() const;
 
   /// The state at a time between now and the next step; the run goes on as if never asked.
@@ -78,6 +83,8 @@ class Run {
   void advance(ExchangeMeter* meter);
   void accept(double t_end);
   void takeBack();
+  void preparePacks(double t_end, bool metered);
+  std::int64_t packedSteps(std::int64_t at_most) const;
   void restartGroup(std::size_t body);
   Run goneOnTo(double t) const;
   std::vector<BodySchedule> scheduleEntries() const;

@@ -11,9 +11,11 @@ namespace {
 /// schedules: a copy, once a group has to be advanced.
 std::vector<BodyMotion> motionsOfGroup(const RunState& run, std::size_t g, double t,
                                        std::vector<WrenchSchedule>& schedules) {
-  if (t < run.groups.knownUntil(g) || t <= run.time)
+  const bool is_packed = run.packs.holds(run.groups[g].members().front());
+  if (!is_packed && (t < run.groups.knownUntil(g) || t <= run.time))
     return run.groups[g].motions(std::max(t, run.time));
-  Group group = run.groups[g];
+  Group group = run.groupNow(g);
+  if (t <= run.time) return group.motions(run.time);
   if (schedules.empty()) schedules = run.schedules;
   run.advance(group, t, schedules, nullptr);
   group.accept(t);

@@ -23,6 +23,14 @@ std::vector<BodySchedule> Run::scheduleEntries() const {
   return entries;
 }
 
+std::vector<BodyState> Run::bodies() const {
+  std::vector<BodyState> states(now_.world->bodies.size());
+  now_.packs.copyTo(states);
+  for (std::size_t i = 0; i < states.size() && now_.packs.size() < states.size(); ++i)
+    if (!now_.packs.holds(i)) states[i] = body(i);
+  return states;
+}
+
 State Run::state() const {
   State state;
   state.t = now_.time;
@@ -31,14 +39,16 @@ State Run::state() const {
   state.schedules = scheduleEntries();
   const std::set<std::size_t>& near = grouping_.watches().near();
   state.near_laws.assign(near.begin(), near.end());
-  state.bodies.reserve(now_.world->bodies.size());
-  for (std::size_t i = 0; i < now_.world->bodies.size(); ++i) state.bodies.push_back(body(i));
+  state.bodies = bodies();
   state.anchors.resize(now_.world->bodies.size());
-  for (const Group& group : now_.groups.all()) {
+  for (std::size_t g = 0; g < now_.groups.size(); ++g) {
+    const Group& group = now_.groups[g];
     for (std::size_t k = 0; k < group.members().size(); ++k)
       state.anchors[group.members()[k]] = group.anchorOf(k);
-    state.plans.push_back(toPlan(group));
+    state.plans.push_back(now_.planOf(g));
   }
+  for (std::size_t body : now_.packs.bodies())
+    state.anchors[body] = {now_.time, state.bodies[body], Groups::kNotKnown};
   return state;
 }
 
@@ -58,13 +68,18 @@ State Run::sample(double t) const {
   std::vector<WrenchSchedule> schedules;
   for (std::size_t g = 0; g < now_.groups.size(); ++g) {
     const std::vector<std::size_t>& members = now_.groups[g].members();
-    if (t < now_.groups.knownUntil(g) || t <= now_.time) {
+    const bool is_packed = now_.packs.holds(members.front());
+    if (is_packed && t <= now_.time) {
+      sampled.bodies[members.front()] = now_.packs.state(members.front());
+      continue;
+    }
+    if (!is_packed && (t < now_.groups.knownUntil(g) || t <= now_.time)) {
       for (std::size_t k = 0; k < members.size(); ++k)
         sampled.bodies[members[k]] = now_.groups[g].at(std::max(t, now_.time), k);
       continue;
     }
     if (schedules.empty()) schedules = now_.schedules;
-    Group group = now_.groups[g];
+    Group group = now_.groupNow(g);
     now_.advance(group, t, schedules, nullptr);
     group.accept(t);
     for (std::size_t k = 0; k < members.size(); ++k)
@@ -79,6 +94,7 @@ State Run::sample(double t) const {
 /// bodies meanwhile.
 Run Run::goneOnTo(double t) const {
   Run copy = *this;
+  copy.now_.unpackAll();
   if (!(t > now_.time)) return copy;
   LinkingStep(copy.now_, copy.grouping_, copy.contacts_, copy.step_, t, nullptr).advance();
   for (Group& group : copy.now_.groups.all()) {

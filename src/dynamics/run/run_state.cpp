@@ -55,8 +55,12 @@ void RunState::advance(Group& group, double t_end, std::vector<WrenchSchedule>& 
 BodyState RunState::at(std::size_t body, double t) const {
   if (world->bodies[body].fixed) return start->bodies[body];
   const std::size_t g = groups.indexOf(body);
-  if (t < groups.knownUntil(g) || t <= std::max(time, groups[g].time())) return groups.at(body, t);
-  Group group = groups[g];
+  if (packs.holds(body)) {
+    if (t <= time) return packs.state(body);
+  } else if (t < groups.knownUntil(g) || t <= std::max(time, groups[g].time())) {
+    return groups.at(body, t);
+  }
+  Group group = groupNow(g);
   std::vector<WrenchSchedule> copy = schedules;
   advance(group, t, copy, nullptr);
   return group.advanced().bodies[groups.memberOf(body)];

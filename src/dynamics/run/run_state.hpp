@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "dynamics/packs/packs.hpp"
 #include "dynamics/run/groups.hpp"
 
 namespace rigid_body_sim {
@@ -14,6 +15,35 @@ struct RunState {
 
   /// The state of a body at a time [s] between the present of its group and the next step.
   BodyState at(std::size_t body, double t) const;
+
+  /// The state of a body that moves, now.
+  BodyState present(std::size_t body) const {
+    return packs.holds(body) ? packs.state(body) : groups.at(body, time);
+  }
+
+  /// The group of index g, or a copy that goes on from where packs have led it.
+  Group groupNow(std::size_t g) const;
+
+  /// How group g is advanced.
+  MotionPlan planOf(std::size_t g) const;
+
+  /// Begins with nothing in packs.
+  void beginPacks();
+
+  /// Bodies by themselves may be fit for packs, as groups have formed anew.
+  void offerAll();
+
+  /// Moves bodies that are fit for it from their groups to packs, unless they have an event up to
+  /// t_end [s].
+  void pack(double t_end);
+
+  /// Moves bodies back to their groups, which go on from the present.
+  void unpack(std::size_t body);
+  void unpackAll();
+  void unpackEvents(double t_end);
+
+  /// Takes steps with the packs, the last of which has led to the present.
+  void stepPacks(std::int64_t count);
 
   /// Whether a law acts, as its own states tell.
   bool acts(std::size_t law) const {
@@ -36,6 +66,7 @@ struct RunState {
   std::vector<double> law_states;         ///< State::laws; of laws that act, as old as their group
   std::vector<WrenchSchedule> schedules;  ///< one per body
   Groups groups;
+  Packs packs;  ///< bodies that are advanced there and not by their groups
 };
 
 }  // namespace rigid_body_sim

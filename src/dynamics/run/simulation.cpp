@@ -40,6 +40,7 @@ const World& Simulation::world() const { return *parts_->run.now().world; }
 double Simulation::time() const { return parts_->run.now().time; }
 std::int64_t Simulation::steps() const { return parts_->run.now().steps; }
 BodyState Simulation::body(std::size_t body) const { return parts_->run.body(body); }
+std::vector<BodyState> Simulation::bodies() const { return parts_->run.bodies(); }
 State Simulation::state() const { return parts_->run.state(); }
 State Simulation::sample(double t) const { return parts_->run.sample(t); }
 
@@ -56,6 +57,11 @@ void Simulation::step() {
     parts_->run.step();
   }
   if (parts_->error) parts_->error->follow(parts_->run);
+}
+
+void Simulation::step(std::int64_t count) {
+  if (!parts_->balance && !parts_->error) return parts_->run.step(count);
+  for (std::int64_t k = 0; k < count; ++k) step();
 }
 
 void Simulation::apply(const SimulationInput& input) {
@@ -180,13 +186,21 @@ Wrench Simulation::appliedWrench(std::size_t body) const {
 
 std::vector<MotionPlan> Simulation::plans() const {
   std::vector<MotionPlan> plans;
-  for (const Group& group : parts_->run.now().groups.all()) plans.push_back(toPlan(group));
+  const RunState& now = parts_->run.now();
+  for (std::size_t g = 0; g < now.groups.size(); ++g) plans.push_back(now.planOf(g));
   return plans;
 }
 
 int Simulation::maxSubsteps() const { return parts_->run.now().groups.maxSubsteps(); }
-double Simulation::magnification() const { return parts_->run.now().groups.magnification(); }
-std::int64_t Simulation::evaluations() const { return parts_->run.now().groups.evaluations(); }
+double Simulation::magnification() const {
+  const RunState& now = parts_->run.now();
+  return std::max(now.groups.magnification(), now.packs.magnification());
+}
+
+std::int64_t Simulation::evaluations() const {
+  const RunState& now = parts_->run.now();
+  return now.groups.evaluations() + now.packs.evaluations(now.steps);
+}
 
 void Simulation::trackError() { parts_->error.emplace(parts_->run); }
 

@@ -26,6 +26,9 @@ class StepRecord {
 
   bool hasRegrouped() const { return !regrouped_.empty(); }
 
+  /// Bodies with an event within the step.
+  const std::vector<std::size_t>& scheduled() const { return scheduled_; }
+
   /// Makes the step's end the present. Returns the members of groups of which a law has switched.
   std::vector<std::size_t> accept(double t_end, Groups& groups,
                                   std::vector<WrenchSchedule>& schedules);

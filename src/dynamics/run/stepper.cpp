@@ -5,6 +5,8 @@
 #include <limits>
 #include <sstream>
 
+#include "dynamics/rotation/free_motion.hpp"
+
 namespace rigid_body_sim {
 
 MethodChoice errorControlled() {
@@ -115,9 +117,8 @@ double Stepper::leastAxisGrowth(const System& system, const SystemState& states)
   double greatest = 0;
   for (std::size_t i = 0; i < states.bodies.size(); ++i) {
     const Body& body = *system.bodies[i];
-    const Vector3d& L_P = states.bodies[i].L_P;
-    const Vector3d w_P = angularVelocity(body.inv_I, L_P);
-    greatest = std::max(greatest, w_P.dot(L_P) * body.inv_I.maxCoeff() - w_P.squaredNorm());
+    greatest =
+        std::max(greatest, leastAxisExcess(tripleOf(body.inv_I), tripleOf(states.bodies[i].L_P)));
   }
   return greatest / 2;
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+
+#include "dynamics/packs/packs.hpp"
 #include "dynamics/run/event_search.hpp"
 #include "dynamics/run/exchange_meter.hpp"
 #include "dynamics/run/method_choice.hpp"
@@ -43,6 +46,17 @@ class Stepper {
 
   /// To be called when what acts on the system has changed, or its state other than by advance().
   void restart(const System& system);
+
+  /// Whether every step is taken as one, as long as the integrator can follow that.
+  bool takesWholeSteps() const {
+    return choice_.substeps == 1 && !choice_.by_estimates && std::isinf(choice_.tried_until);
+  }
+
+  /// Whether the wrenches at the present states are known from the step before.
+  bool wrenchesCurrent() const { return workspace_.wrenches_current; }
+
+  /// Takes over what steps elsewhere have counted; see Packs.
+  void goOnFrom(const System& system, const SystemState& states, const Packs::Stepped& stepped);
 
   /// Substeps without which the integrator cannot follow a step of h from these states.
   double substepsNeeded(const System& system, double h, const SystemState& states) const;

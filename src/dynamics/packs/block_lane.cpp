@@ -1,0 +1,94 @@
+#include "dynamics/packs/block_lane.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigid_body_sim {
+namespace {
+
+/// Share of what an integrator follows that a body may turn in a step. L is constant to rounding;
+/// rk4 lets |L| grow by less than 1e-4 in a step that turns so far.
+constexpr double kMaxShare = 0.98;
+
+/// Numbers up to this, and sums of kCertainSteps of their products, are finite.
+constexpr double kModest = 1e60;
+
+template <class V>
+void put(int column, const V& values, PackBlock& block, std::size_t lane) {
+  for (int i = 0; i < values.size(); ++i) block.columns[column + i][lane] = values(i);
+}
+
+double squaredLength(int column, const PackBlock& block, std::size_t lane) {
+  const double x = block.columns[column][lane], y = block.columns[column + 1][lane],
+               z = block.columns[column + 2][lane];
+  return x * x + y * y + z * z;
+}
+
+/// Whether |L| leaves the turn of a step within what is followed.
+bool turnsSlowly(const PackBlock& block, std::size_t lane) {
+  const double turn = block.columns[kTurnColumn][lane];
+  const double L = std::max(squaredLength(kSpinColumn, block, lane),
+                            squaredLength(kWorldSpinColumn, block, lane));
+  return turn * turn * L <= kMaxShare * kMaxShare;
+}
+
+bool isModest(const PackBlock& block, std::size_t lane) {
+  double sum = 0;
+  for (int c = 0; c < kForceColumn; ++c) sum += std::abs(block.columns[c][lane]);
+  return sum < kModest;
+}
+
+}  // namespace
+
+bool staysModest(const PackBlock& block, std::size_t lane) {
+  double sum = 0;
+  for (int c = kForceColumn; c < kPackColumns; ++c) sum += std::abs(block.columns[c][lane]);
+  return sum < kModest;
+}
+
+PackBlock emptyBlock() {
+  PackBlock block{};
+  for (std::size_t lane = 0; lane < PackBlock::kLanes; ++lane) {
+    block.columns[kAttitudeColumn + 3][lane] = 1;
+    block.columns[kMassColumn][lane] = 1;
+  }
+  return block;
+}
+
+void putBody(const SteadyMotion& motion, PackKind kind, double h, const BodyState& state,
+             PackBlock& block, std::size_t lane) {
+  const Body& body = *motion.body;
+  put(kPositionColumn, state.x_W, block, lane);
+  put(kPositionLowColumn, state.x_low_W, block, lane);
+  put(kAttitudeColumn, state.q_WP.coeffs(), block, lane);
+  put(kMomentumColumn, state.p_W, block, lane);
+  put(kSpinColumn, state.L_P, block, lane);
+  put(kWorldSpinColumn, state.L_W, block, lane);
+  block.columns[kMagnificationColumn][lane] = motion.magnification;
+  put(kForceColumn, motion.f_W, block, lane);
+  block.columns[kMassColumn][lane] = body.mass;
+  const bool is_split =
+      kind == PackKind::kStrang02 || kind == PackKind::kStrang20 || kind == PackKind::kStrang12;
+  put(kRotationColumn,
+      is_split ? Vector3d(body.split.k_a, body.split.k_b, body.split.inv_I_r) : body.inv_I, block,
+      lane);
+  put(kDifferencesColumn,
+      Vector3d(body.I[1] - body.I[2], body.I[2] - body.I[0], body.I[0] - body.I[1]), block, lane);
+  block.columns[kTurnColumn][lane] = h * body.inv_I.maxCoeff() / motion.max_turn;
+}
+
+void copyLane(const PackBlock& from, std::size_t from_lane, PackBlock& to, std::size_t to_lane) {
+  for (int c = 0; c < kPackColumns; ++c) to.columns[c][to_lane] = from.columns[c][from_lane];
+}
+
+bool isCertain(const PackBlock& block, std::size_t lane) {
+  return turnsSlowly(block, lane) && isModest(block, lane);
+}
+
+bool isCertain(const PackBlock& block) {
+  bool all = true;
+  for (std::size_t lane = 0; lane < PackBlock::kLanes; ++lane) all &= isCertain(block, lane);
+  return all;
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "dynamics/packs/packs.hpp"
+
+/// One body of a block.
+namespace rigid_body_sim {
+
+/// A block of bodies that stand still, so that lanes without a body are stepped without harm.
+PackBlock emptyBlock();
+
+/// Writes all columns of a lane; h [s]: the step.
+void putBody(const SteadyMotion& motion, PackKind kind, double h, const BodyState& state,
+             PackBlock& block, std::size_t lane);
+
+inline void copyBody(const PackBlock& block, std::size_t lane, BodyState& state) {
+  const auto copy = [&](int column, auto& to) {
+    for (int i = 0; i < to.size(); ++i) to(i) = block.columns[column + i][lane];
+  };
+  copy(kPositionColumn, state.x_W);
+  copy(kPositionLowColumn, state.x_low_W);
+  copy(kAttitudeColumn, state.q_WP.coeffs());
+  copy(kMomentumColumn, state.p_W);
+  copy(kSpinColumn, state.L_P);
+  copy(kWorldSpinColumn, state.L_W);
+}
+
+inline BodyState bodyIn(const PackBlock& block, std::size_t lane) {
+  BodyState state;
+  copyBody(block, lane, state);
+  return state;
+}
+
+void copyLane(const PackBlock& from, std::size_t from_lane, PackBlock& to, std::size_t to_lane);
+
+/// What is certain for Packs::kCertainSteps steps: that a body turns in none of them further than
+/// its integrator follows without dividing it, and that its numbers remain finite.
+bool isCertain(const PackBlock& block, std::size_t lane);
+
+/// Whether the numbers that stay the same allow that, for ever.
+bool staysModest(const PackBlock& block, std::size_t lane);
+
+/// isCertain of all bodies of a block.
+bool isCertain(const PackBlock& block);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace rigid_body_sim {
+
+/// What a block holds of each of its bodies: the state of free motion, and what stays the same from
+/// step to step.
+enum PackColumn : int {
+  kPositionColumn = 0,        ///< x_W, three columns
+  kPositionLowColumn = 3,     ///< x_low_W, three
+  kAttitudeColumn = 6,        ///< q_WP: x, y, z, w
+  kMomentumColumn = 10,       ///< p_W, three
+  kSpinColumn = 13,           ///< L_P, three
+  kWorldSpinColumn = 16,      ///< L_W, three
+  kMagnificationColumn = 19,  ///< Stepper::magnification
+  kForceColumn = 20,          ///< [N] that acts, three
+  kMassColumn = 23,           ///< [kg]
+  kRotationColumn = 24,       ///< [1/(kg m²)] 1/I; of strang, k_a, k_b, 1/I_r of its split; three
+  kDifferencesColumn = 27,    ///< [kg m²] of rk4: I₂ − I₃, I₃ − I₁, I₁ − I₂
+  kTurnColumn = 30,           ///< times |L_P|: |ω| h is at most that share of what a step follows
+  kPackColumns = 31
+};
+
+/// Eight bodies. A column is one line of the processor's cache, so that what an integrator does not
+/// use is not read.
+struct alignas(64) PackBlock {
+  static constexpr std::size_t kLanes = 8;
+  double columns[kPackColumns][kLanes];
+
+  double* column(int c) { return columns[c]; }
+  const double* column(int c) const { return columns[c]; }
+};
+
+/// Steps of bodies without torque, as the integrators of the same names take them. Of strang one
+/// for each pair of axes a, b that a RotationSplit of ascending moments has.
+enum class PackKind { kSemiImplicitEuler, kStrang02, kStrang20, kStrang12, kMagnus4, kRk4 };
+constexpr std::size_t kPackKinds = 6;
+
+/// Takes `count` steps of the lengths h [s] with the first `bodies` bodies of some blocks. Those
+/// that share a pack with the last may be stepped, too.
+using PackStep = void (*)(const double* h, int count, PackBlock* blocks, std::size_t bodies);
+
+/// The steps of one width. All widths give the same bits.
+struct PackKernels {
+  std::size_t lanes;         ///< bodies at once
+  const char* instructions;  ///< such as "AVX2"; empty: those that every processor has
+  PackStep steps[kPackKinds];
+
+  PackStep step(PackKind kind) const { return steps[static_cast<std::size_t>(kind)]; }
+};
+
+/// Those that this processor can run, the narrowest first; that is one body at a time.
+const std::vector<PackKernels>& packKernels();
+
+/// The narrowest that takes all of so few bodies at once, or else the widest.
+const PackKernels& packKernelsFor(std::size_t bodies);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,195 @@
+#include "dynamics/packs/packs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dynamics/packs/block_lane.hpp"
+
+namespace rigid_body_sim {
+
+namespace {
+
+/// Whether a step begins with the wrenches that the one before evaluated at its end.
+bool leavesWrenchesCurrent(PackKind kind) {
+  return kind != PackKind::kSemiImplicitEuler && kind != PackKind::kRk4;
+}
+
+}  // namespace
+
+bool hasPackSteps(const Method& method) {
+  const auto& all = {semiImplicitEulerStep, strangStep, magnus4Step, rk4Step};
+  return std::find(all.begin(), all.end(), method.step) != all.end();
+}
+
+std::optional<PackKind> packKindOf(const SteadyMotion& motion) {
+  const StepFunction step = motion.method->step;
+  if (step == semiImplicitEulerStep) return PackKind::kSemiImplicitEuler;
+  if (step == magnus4Step) return PackKind::kMagnus4;
+  if (step == rk4Step) return PackKind::kRk4;
+  if (step != strangStep) return std::nullopt;
+  const RotationSplit<double>& split = motion.body->split;
+  if (split.a == 0 && split.b == 2) return PackKind::kStrang02;
+  if (split.a == 2 && split.b == 0) return PackKind::kStrang20;
+  if (split.a == 1 && split.b == 2) return PackKind::kStrang12;
+  return std::nullopt;
+}
+
+std::vector<std::size_t> Packs::bodies() const {
+  std::vector<std::size_t> bodies;
+  bodies.reserve(size_);
+  for (const Shelf& shelf : shelves_)
+    for (const Lane& lane : shelf.lanes) bodies.push_back(lane.body);
+  return bodies;
+}
+
+std::vector<std::size_t> Packs::takeOffers() { return std::exchange(offered_, {}); }
+
+Packs::Shelf& Packs::shelfOf(PackKind kind, const Method& method, std::uint32_t& index) {
+  const auto fits = [kind](const Shelf& shelf) { return shelf.kind == kind; };
+  const auto found = std::find_if(shelves_.begin(), shelves_.end(), fits);
+  index = static_cast<std::uint32_t>(found - shelves_.begin());
+  if (found != shelves_.end()) return *found;
+  shelves_.push_back({kind, &method, {}, {}});
+  return shelves_.back();
+}
+
+bool Packs::add(std::size_t body, const SteadyMotion& motion, const BodyState& state,
+                double next_event, std::int64_t steps) {
+  const std::optional<PackKind> kind = packKindOf(motion);
+  if (!kind) return false;
+  PackBlock alone = emptyBlock();
+  putBody(motion, *kind, time_step_, state, alone, 0);
+  if (!isCertain(alone, 0) || !staysModest(alone, 0)) return false;
+  std::uint32_t index = 0;
+  Shelf& shelf = shelfOf(*kind, *motion.method, index);
+  const std::size_t lane = shelf.lanes.size();
+  if (lane % PackBlock::kLanes == 0) shelf.blocks.push_back(emptyBlock());
+  copyLane(alone, 0, shelf.blocks.back(), lane % PackBlock::kLanes);
+  shelf.lanes.push_back({body, steps, motion.wrenches_current, next_event});
+  places_[body] = {index, static_cast<std::uint32_t>(lane)};
+  new_.push_back(body);
+  next_event_ = std::min(next_event_, next_event);
+  if (++size_ == 1) certain_steps_ = kCertainSteps;
+  return true;
+}
+
+/// The last of its shelf takes its place.
+void Packs::remove(std::size_t body) {
+  const Place place = std::exchange(places_[body], Place());
+  Shelf& shelf = shelves_[place.shelf];
+  const std::size_t last = shelf.lanes.size() - 1, last_lane = last % PackBlock::kLanes;
+  PackBlock& last_block = shelf.blocks.back();
+  if (place.lane != last) {
+    copyLane(last_block, last_lane, shelf.blocks[place.lane / PackBlock::kLanes],
+             place.lane % PackBlock::kLanes);
+    shelf.lanes[place.lane] = shelf.lanes[last];
+    places_[shelf.lanes[last].body].lane = place.lane;
+  }
+  shelf.lanes.pop_back();
+  if (last_lane == 0)
+    shelf.blocks.pop_back();
+  else
+    copyLane(emptyBlock(), 0, last_block, last_lane);
+  --size_;
+}
+
+BodyState Packs::state(std::size_t body) const {
+  const Place place = places_[body];
+  return bodyIn(shelves_[place.shelf].blocks[place.lane / PackBlock::kLanes],
+                place.lane % PackBlock::kLanes);
+}
+
+void Packs::copyTo(std::vector<BodyState>& states) const {
+  for (const Shelf& shelf : shelves_)
+    for (std::size_t i = 0; i < shelf.lanes.size(); ++i)
+      copyBody(shelf.blocks[i / PackBlock::kLanes], i % PackBlock::kLanes,
+               states[shelf.lanes[i].body]);
+}
+
+/// Where they are evaluated once for a step that follows, at its end, the first step evaluates them
+/// at its start, too.
+std::int64_t Packs::evaluationsOf(const Shelf& shelf, const Lane& lane, std::int64_t steps) {
+  const std::int64_t taken = steps - lane.since;
+  const bool begins = taken > 0 && leavesWrenchesCurrent(shelf.kind) && !lane.wrenches_current;
+  return taken * shelf.method->evaluations + (begins ? 1 : 0);
+}
+
+Packs::Stepped Packs::steppedTo(std::size_t body, std::int64_t steps) const {
+  const Place place = places_[body];
+  const Shelf& shelf = shelves_[place.shelf];
+  const Lane& lane = shelf.lanes[place.lane];
+  const std::size_t in_block = place.lane % PackBlock::kLanes;
+  const PackBlock& block = shelf.blocks[place.lane / PackBlock::kLanes];
+  const bool is_current =
+      steps > lane.since ? leavesWrenchesCurrent(shelf.kind) : lane.wrenches_current;
+  return {bodyIn(block, in_block), evaluationsOf(shelf, lane, steps), is_current,
+          block.columns[kMagnificationColumn][in_block]};
+}
+
+/// As methods add a torque of zero to L_W: a zero gets its sign.
+void Packs::addNoTorque(const Place& place) {
+  PackBlock& block = shelves_[place.shelf].blocks[place.lane / PackBlock::kLanes];
+  for (int i = 0; i < 3; ++i)
+    block.columns[kWorldSpinColumn + i][place.lane % PackBlock::kLanes] += 0.0;
+}
+
+void Packs::advance(std::int64_t steps, std::int64_t count) {
+  for (std::size_t body : new_)
+    if (holds(body)) addNoTorque(places_[body]);
+  new_.clear();
+  double lengths[kCertainSteps];  // between times that are rounded, as of every step
+  for (std::int64_t k = 0; k < count; ++k)
+    lengths[k] = static_cast<double>(steps + k + 1) * time_step_ -
+                 static_cast<double>(steps + k) * time_step_;
+  for (Shelf& shelf : shelves_) {
+    const std::size_t bodies = shelf.lanes.size();
+    packKernelsFor(bodies).step(shelf.kind)(lengths, static_cast<int>(count), shelf.blocks.data(),
+                                            bodies);
+  }
+  certain_steps_ -= count;
+}
+
+std::vector<std::size_t> Packs::review() {
+  std::vector<std::size_t> uncertain;
+  for (const Shelf& shelf : shelves_)
+    for (std::size_t b = 0; b < shelf.blocks.size(); ++b) {
+      if (isCertain(shelf.blocks[b])) continue;
+      for (std::size_t k = 0; k < PackBlock::kLanes; ++k)
+        if (!isCertain(shelf.blocks[b], k))
+          uncertain.push_back(shelf.lanes[b * PackBlock::kLanes + k].body);
+    }
+  certain_steps_ = kCertainSteps;
+  return uncertain;
+}
+
+std::vector<std::size_t> Packs::withEventBy(double t) {
+  std::vector<std::size_t> bodies;
+  next_event_ = std::numeric_limits<double>::infinity();
+  for (const Shelf& shelf : shelves_)
+    for (const Lane& lane : shelf.lanes)
+      if (lane.next_event <= t)
+        bodies.push_back(lane.body);
+      else
+        next_event_ = std::min(next_event_, lane.next_event);
+  return bodies;
+}
+
+std::int64_t Packs::evaluations(std::int64_t steps) const {
+  std::int64_t sum = 0;
+  for (const Shelf& shelf : shelves_)
+    for (const Lane& lane : shelf.lanes) sum += evaluationsOf(shelf, lane, steps);
+  return sum;
+}
+
+double Packs::magnification() const {
+  double most = 0;
+  for (const Shelf& shelf : shelves_)
+    for (std::size_t i = 0; i < shelf.lanes.size(); ++i)
+      most = std::max(
+          most,
+          shelf.blocks[i / PackBlock::kLanes].columns[kMagnificationColumn][i % PackBlock::kLanes]);
+  return most;
+}
+
+}  // namespace rigid_body_sim

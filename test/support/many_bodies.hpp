@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/random_bodies.hpp"
+#include "support/worlds.hpp"
+
+/// Worlds of bodies that do not act on one another.
+namespace rigid_body_sim::test {
+
+/// The integrators that step such bodies in packs.
+inline const std::vector<std::string>& packedIntegrators() {
+  static const std::vector<std::string> names{"semi_implicit_euler", "strang", "magnus4", "rk4"};
+  return names;
+}
+
+/// Thrown under gravity: boxes, and every fifth a body of two or three equal moments.
+inline Bench thrownBodies(std::size_t count, unsigned seed = 1) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  Draw draw(seed);
+  for (std::size_t i = 0; i < count; ++i) {
+    Body body = draw.box(0.5);
+    if (i % 5 == 4) {
+      const Vector3d moments[]{{1, 1, 1}, {1, 1, 1.5}, {0.5, 1, 1}};
+      body = principalBody("", 1, moments[i / 5 % 3]);
+    }
+    body.name = "body" + std::to_string(i);
+    bench.initial.bodies.push_back(draw.state(body, 5));
+    bench.world.bodies.push_back(body);
+  }
+  return bench;
+}
+
+}  // namespace rigid_body_sim::test

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
+/// States that agree to the last bit, the signs of zeros included.
+namespace rigid_body_sim::test {
+
+/// All numbers of a state.
+inline std::array<double, 19> numbersOf(const BodyState& s) {
+  std::array<double, 19> numbers{};
+  double* to = numbers.data();
+  for (const Vector3d* v : {&s.x_W, &s.x_low_W, &s.p_W, &s.L_W, &s.L_P})
+    for (int i = 0; i < 3; ++i) *to++ = (*v)(i);
+  for (int i = 0; i < 4; ++i) *to++ = s.q_WP.coeffs()(i);
+  return numbers;
+}
+
+inline bool sameBits(const BodyState& a, const BodyState& b) {
+  const auto of_a = numbersOf(a), of_b = numbersOf(b);
+  return std::memcmp(of_a.data(), of_b.data(), sizeof of_a) == 0;
+}
+
+/// Of all bodies of two runs.
+inline void expectSameBodies(const Simulation& a, const Simulation& b) {
+  ASSERT_EQ(a.steps(), b.steps());
+  for (std::size_t i = 0; i < a.world().bodies.size(); ++i)
+    ASSERT_TRUE(sameBits(a.body(i), b.body(i))) << "body " << i << " after step " << a.steps();
+}
+
+/// And of what the runs have counted.
+inline void expectSameBits(const Simulation& a, const Simulation& b) {
+  EXPECT_EQ(a.evaluations(), b.evaluations());
+  EXPECT_EQ(a.magnification(), b.magnification());
+  EXPECT_EQ(a.maxSubsteps(), b.maxSubsteps());
+  expectSameBodies(a, b);
+}
+
+}  // namespace rigid_body_sim::test
