@@ -63,8 +63,10 @@ class Simulation {
   BodyState body(std::size_t body) const;
   State state() const;
 
-  /// State::bodies of state(), at a fraction of its cost.
+  /// State::bodies of state(), at a fraction of its cost; readBodies reuses the memory of `states`,
+  /// which of many bodies is a good part of it.
   std::vector<BodyState> bodies() const;
+  void readBodies(std::vector<BodyState>& states) const;
 
   /// The state at a time between now and the next step; the run goes on as if never asked. Throws
   /// SimulationDiverged.

@@ -45,7 +45,7 @@ class Run {
     if (now_.world->bodies[body].fixed) return now_.start->bodies[body];
     return now_.groups.at(body, now_.time);
   }
-  std::vector<BodyState> bodies() const;
+  void readBodies(std::vector<BodyState>& states) const;
   State state() const;
 
   /// The state at a time between now and the next step; the run goes on as if never asked.

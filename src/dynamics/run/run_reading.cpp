@@ -23,12 +23,11 @@ std::vector<BodySchedule> Run::scheduleEntries() const {
   return entries;
 }
 
-std::vector<BodyState> Run::bodies() const {
-  std::vector<BodyState> states(now_.world->bodies.size());
+void Run::readBodies(std::vector<BodyState>& states) const {
+  states.resize(now_.world->bodies.size());
   now_.packs.copyTo(states);
   for (std::size_t i = 0; i < states.size() && now_.packs.size() < states.size(); ++i)
     if (!now_.packs.holds(i)) states[i] = body(i);
-  return states;
 }
 
 State Run::state() const {
@@ -39,7 +38,7 @@ State Run::state() const {
   state.schedules = scheduleEntries();
   const std::set<std::size_t>& near = grouping_.watches().near();
   state.near_laws.assign(near.begin(), near.end());
-  state.bodies = bodies();
+  readBodies(state.bodies);
   state.anchors.resize(now_.world->bodies.size());
   for (std::size_t g = 0; g < now_.groups.size(); ++g) {
     const Group& group = now_.groups[g];

@@ -40,7 +40,17 @@ const World& Simulation::world() const { return *parts_->run.now().world; }
 double Simulation::time() const { return parts_->run.now().time; }
 std::int64_t Simulation::steps() const { return parts_->run.now().steps; }
 BodyState Simulation::body(std::size_t body) const { return parts_->run.body(body); }
-std::vector<BodyState> Simulation::bodies() const { return parts_->run.bodies(); }
+
+void Simulation::readBodies(std::vector<BodyState>& states) const {
+  parts_->run.readBodies(states);
+}
+
+std::vector<BodyState> Simulation::bodies() const {
+  std::vector<BodyState> states;
+  readBodies(states);
+  return states;
+}
+
 State Simulation::state() const { return parts_->run.state(); }
 State Simulation::sample(double t) const { return parts_->run.sample(t); }
 
