@@ -1,5 +1,5 @@
-# benchmark_peers: ours beside those engines that are installed; extremes_engines: they in the cells
-# of the map of the extremes. None of them is a dependency of the package; Debian's packages:
+# benchmark_peers: ours beside those engines that are installed; benchmark_crowds: the same with many
+# bodies in one world; extremes_engines: they in the cells of the map of the extremes. None of them is a dependency of the package; Debian's packages:
 # libboost-dev libbullet-dev libode-dev libdart-dev libsimbody-dev.
 rigid_body_sim_benchmark(benchmark_peers
   SOURCES test/benchmark/peers.cpp test/benchmark/peers_engines.cpp test/benchmark/peers_ours.cpp
@@ -8,10 +8,15 @@ rigid_body_sim_benchmark(extremes_engines
   SOURCES test/benchmark/peers_engines.cpp test/extremes/apart.cpp test/extremes/engines.cpp
   LIBRARIES rigid_body_sim_extreme_cases)
 
+rigid_body_sim_benchmark(benchmark_crowds
+  SOURCES test/benchmark/crowds.cpp test/benchmark/peers_engines.cpp test/benchmark/peers_ours.cpp
+  LIBRARIES rigid_body_sim_core)
+
 function(rigid_body_sim_peer name)
   cmake_parse_arguments(ARG "" "" "INCLUDES;LIBRARIES" ${ARGN})
   message(STATUS "benchmark_peers: with ${name}")
-  foreach(program rigid_body_sim_benchmark_peers rigid_body_sim_extremes_engines)
+  foreach(program rigid_body_sim_benchmark_peers rigid_body_sim_benchmark_crowds
+          rigid_body_sim_extremes_engines)
     target_sources(${program} PRIVATE test/benchmark/peers_${name}.cpp)
     target_include_directories(${program} SYSTEM PRIVATE ${ARG_INCLUDES})
     target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES})

@@ -82,10 +82,19 @@ struct Stepper {
   Motion (*end)(const Problem&, double h, int steps);  ///< h [s]
 };
 
+/// Many bodies in one world, the same that an engine's stepper of this name takes through a problem
+/// of a single one.
+struct Crowd {
+  const char* name;
+  /// [s] of processor time of so many steps of h, without making the world.
+  double (*seconds)(const std::vector<Problem>& bodies, double h, int steps);
+};
+
 struct Engine {
   const char* name;
   std::vector<Run> (*runs)(const Problem&);  ///< over ladders of all that it can be set to
   std::vector<Stepper> steppers;             ///< the best of it
+  std::vector<Crowd> crowds{};
 };
 
 /// All that are linked in.

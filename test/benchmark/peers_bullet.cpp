@@ -7,6 +7,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include "benchmark/peers_ladder.hpp"
+#include "tools/trade/cpu_time.hpp"
 
 // In double precision. Rigid bodies with each of the three gyroscopic terms, and a multibody of one
 // base by Runge–Kutta. No damping, no collisions, no sleep. A force holds for one step.
@@ -34,18 +35,23 @@ struct Parts {
   btDbvtBroadphase broadphase;
 };
 
+/// A body with the gyroscopic term of these flags, at the start of a problem.
+void place(const Problem& problem, int gyroscopic, btRigidBody& body) {
+  body.setFlags(gyroscopic);
+  body.setDamping(0, 0);
+  body.setActivationState(DISABLE_DEACTIVATION);
+  const Motion& start = problem.start;
+  body.setCenterOfMassTransform(btTransform(quaternion(start.q), vector(start.x_W)));
+  body.setLinearVelocity(vector(start.v_W));
+  body.setAngularVelocity(spinOf(start));
+}
+
 class RigidBodyWorld {
  public:
   RigidBodyWorld(const Problem& problem, double h, int gyroscopic)
       : problem_(problem), h_(h), body_(problem.mass, nullptr, &shape_, vector(problem.I)) {
     world_.setGravity(vector(problem.g_W));
-    body_.setFlags(gyroscopic);
-    body_.setDamping(0, 0);
-    body_.setActivationState(DISABLE_DEACTIVATION);
-    const Motion& start = problem.start;
-    body_.setCenterOfMassTransform(btTransform(quaternion(start.q), vector(start.x_W)));
-    body_.setLinearVelocity(vector(start.v_W));
-    body_.setAngularVelocity(spinOf(start));
+    place(problem, gyroscopic, body_);
     world_.addRigidBody(&body_, 0, 0);
   }
   ~RigidBodyWorld() { world_.removeRigidBody(&body_); }
@@ -158,9 +164,31 @@ Motion multiBodyEnd(const Problem& problem, double h, int steps) {
   return endOf(MultiBodyWorld(problem, h), steps);
 }
 
+double rigidBodyCrowd(const std::vector<Problem>& problems, double h, int steps) {
+  Parts parts;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world(&parts.dispatcher, &parts.broadphase, &solver,
+                                &parts.configuration);
+  world.setGravity(vector(problems.front().g_W));
+  btSphereShape shape(0.1);
+  std::vector<std::unique_ptr<btRigidBody>> bodies;
+  for (const Problem& problem : problems) {
+    bodies.push_back(
+        std::make_unique<btRigidBody>(problem.mass, nullptr, &shape, vector(problem.I)));
+    place(problem, BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY, *bodies.back());
+    world.addRigidBody(bodies.back().get(), 0, 0);
+  }
+  const double begin = cpuTime();
+  for (int k = 0; k < steps; ++k) world.stepSimulation(h, 0);
+  const double seconds = cpuTime() - begin;
+  for (const auto& body : bodies) world.removeRigidBody(body.get());
+  return seconds;
+}
+
 const Registration kBullet({"Bullet",
                             bulletRuns,
-                            {{"Bullet", rigidBodyEnd}, {"Bullet RK4", multiBodyEnd}}});
+                            {{"Bullet", rigidBodyEnd}, {"Bullet RK4", multiBodyEnd}},
+                            {{"Bullet", rigidBodyCrowd}}});
 
 }  // namespace
 }  // namespace rigid_body_sim::peers

@@ -3,6 +3,7 @@
 #include <ode/ode.h>
 
 #include "benchmark/peers_ladder.hpp"
+#include "tools/trade/cpu_time.hpp"
 
 // Gyroscopic mode on, finite rotations, both steppers. Nothing damps, limits or disables a body
 // unless asked to. A force holds for one step.
@@ -14,6 +15,24 @@ Array3 array(const dReal* v) { return {v[0], v[1], v[2]}; }
 
 using Step = int (*)(dWorldID, dReal);
 
+dBodyID addBody(const Problem& problem, dWorldID world) {
+  const dBodyID body = dBodyCreate(world);
+  const auto& I = problem.I;
+  const Motion& start = problem.start;
+  const auto &x = start.x_W, &v = start.v_W, w = inWorldAxes(start.q, start.w_P);
+  dMass mass;
+  dMassSetParameters(&mass, problem.mass, 0, 0, 0, I[0], I[1], I[2], 0, 0, 0);
+  dBodySetMass(body, &mass);
+  dBodySetGyroscopicMode(body, 1);
+  dBodySetFiniteRotationMode(body, 1);
+  const dQuaternion q{start.q[3], start.q[0], start.q[1], start.q[2]};
+  dBodySetPosition(body, x[0], x[1], x[2]);
+  dBodySetQuaternion(body, q);
+  dBodySetLinearVel(body, v[0], v[1], v[2]);
+  dBodySetAngularVel(body, w[0], w[1], w[2]);
+  return body;
+}
+
 class OdeWorld {
  public:
   OdeWorld(const Problem& problem, double h, Step stepper)
@@ -21,21 +40,9 @@ class OdeWorld {
         h_(h),
         step_(stepper),
         world_(dWorldCreate()),
-        body_(dBodyCreate(world_)) {
-    const auto &g = problem.g_W, &I = problem.I;
-    const Motion& start = problem.start;
-    const auto &x = start.x_W, &v = start.v_W, w = inWorldAxes(start.q, start.w_P);
+        body_(addBody(problem, world_)) {
+    const auto& g = problem.g_W;
     dWorldSetGravity(world_, g[0], g[1], g[2]);
-    dMass mass;
-    dMassSetParameters(&mass, problem.mass, 0, 0, 0, I[0], I[1], I[2], 0, 0, 0);
-    dBodySetMass(body_, &mass);
-    dBodySetGyroscopicMode(body_, 1);
-    dBodySetFiniteRotationMode(body_, 1);
-    const dQuaternion q{start.q[3], start.q[0], start.q[1], start.q[2]};
-    dBodySetPosition(body_, x[0], x[1], x[2]);
-    dBodySetQuaternion(body_, q);
-    dBodySetLinearVel(body_, v[0], v[1], v[2]);
-    dBodySetAngularVel(body_, w[0], w[1], w[2]);
   }
   ~OdeWorld() { dWorldDestroy(world_); }
   OdeWorld(const OdeWorld&) = delete;
@@ -90,7 +97,22 @@ Motion odeEnd(const Problem& problem, double h, int steps) {
   return end;
 }
 
-const Registration kOde({"ODE", odeRuns, {{"ODE", odeEnd}}});
+double odeCrowd(const std::vector<Problem>& bodies, double h, int steps) {
+  dInitODE2(0);
+  const dWorldID world = dWorldCreate();
+  const auto& g = bodies.front().g_W;
+  dWorldSetGravity(world, g[0], g[1], g[2]);
+  for (const Problem& body : bodies) addBody(body, world);
+  dWorldStep(world, h);  // takes its memory
+  const double begin = cpuTime();
+  for (int k = 0; k < steps; ++k) dWorldStep(world, h);
+  const double seconds = cpuTime() - begin;
+  dWorldDestroy(world);
+  dCloseODE();
+  return seconds;
+}
+
+const Registration kOde({"ODE", odeRuns, {{"ODE", odeEnd}}, {{"ODE", odeCrowd}}});
 
 }  // namespace
 }  // namespace rigid_body_sim::peers

@@ -125,4 +125,36 @@ std::vector<Contender> ourRuns(const Problem& problem) {
   return ours;
 }
 
+double ourCrowd(const std::vector<Problem>& bodies, const std::string& integrator, double h,
+                int steps) {
+  constexpr int kReadEach = 10;
+  World world = worldOf(bodies.front(), integrator, h);
+  world.bodies.clear();
+  State initial;
+  for (const Problem& problem : bodies) {
+    world.bodies.push_back(bodyOf(problem));
+    initial.bodies.push_back(startOf(problem, world.bodies.back()));
+  }
+  Simulation simulation(std::move(world), std::move(initial));
+  std::vector<BodyState> states;
+  simulation.step();
+  const double begin = cpuTime();
+  for (int k = 0; k < steps; k += kReadEach) {
+    simulation.step(kReadEach);
+    simulation.readBodies(states);
+  }
+  return cpuTime() - begin;
+}
+
+Quaternion4 ourEnd(const Problem& problem, const std::string& integrator, double h, int steps) {
+  State initial;
+  World world = worldOf(problem, integrator, h);
+  const Body body = world.bodies[0];
+  initial.bodies = {startOf(problem, body)};
+  Simulation simulation(std::move(world), std::move(initial));
+  simulation.step(steps);
+  const Quaterniond q = simulation.body(0).q_WP * body.q_BP.conjugate();
+  return {q.x(), q.y(), q.z(), q.w()};
+}
+
 }  // namespace rigid_body_sim::peers

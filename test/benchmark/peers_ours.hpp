@@ -15,4 +15,12 @@ Quaternion4 truthOf(const Problem& problem);
 /// auto, and every integrator of the catalogue.
 std::vector<Contender> ourRuns(const Problem& problem);
 
+/// [s] of processor time of so many steps of h with these bodies in one world, all of them read at
+/// every tenth step.
+double ourCrowd(const std::vector<Problem>& bodies, const std::string& integrator, double h,
+                int steps);
+
+/// The attitude of a single one after these steps.
+Quaternion4 ourEnd(const Problem& problem, const std::string& integrator, double h, int steps);
+
 }  // namespace rigid_body_sim::peers
