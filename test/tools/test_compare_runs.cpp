@@ -110,6 +110,14 @@ TEST_F(CompareRuns, RefusesWhatCannotBeCompared) {
                     "time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n0,box,0,nan,0,0,0,0,1,0,0,0,"
                     "0,0,0\n");
   refused(a + " " + broken, 1, broken + ": line 2: a finite number is expected, got 'nan'");
+  const std::string cut =
+      files.written("cut.csv",
+                    "time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n0,box,0,0,0,0,0,0,1,0,0,0,0,"
+                    "0,0\n0.1,box,0,0,0,0,0,0,1,0,0,0,0,0,0.3");
+  refused(a + " " + cut, 1,
+          cut +
+              ": line 3 does not end: the file was cut there, or is still being written; a run is "
+              "compared as a whole");
   const std::string text = files.written("x.csv", "hello\n");
   refused(a + " " + text, 1,
           text +

@@ -184,7 +184,7 @@ TEST_F(Plot, RefusesWhatItCannotReadOrWrite) {
   refuses(other, 1, other + kinds + "'time?body'");
   const std::string bare = files.written("bare.csv", kMotionHeader);
   refuses(bare, 1, bare + ": holds no rows");
-  const std::string cut = files.written("cut.csv", kMotionHeader + "0,box,0,0,0,0,0");
+  const std::string cut = files.written("cut.csv", kMotionHeader + "0,box,0,0,0,0,0\n");
   refuses(cut, 1, cut + ": line 2: 15 fields are expected, got 7");
   const std::string nan =
       files.written("nan.csv", kMotionHeader + "0,box,0,nan,0,0,0,0,1,0,0,0,0,0,0\n");
@@ -200,6 +200,38 @@ TEST_F(Plot, RefusesWhatItCannotReadOrWrite) {
   std::filesystem::create_directories(files.path("d/position.svg"));
   refuses(good + " --out " + files.path("d"), 1,
           files.path("d") + "/position.svg: cannot be written: Is a directory");
+}
+
+TEST_F(Plot, LeavesOutALastLineThatWasCutAndSaysSo) {
+  const std::string rows = "0,box,0,0,0,0,0,0,1,0,0,0,0,0,0\n1,box,1,0,0,0,0,0,1,0,0,0,0,0,0\n";
+  // of 200,box,...,0.25: a number that was cut is a number
+  for (const char* last : {"2", "2,box,3,0,0,0,0,0,1,0,0,0,0,0,0.2"}) {
+    const std::string csv = files.written("cut.csv", kMotionHeader + rows + last);
+    const test::Outcome run = plot(csv + " --bodies box --out " + files.path("out"));
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.out.find("plot: notice: " + csv +
+                           ": line 4 does not end: the file was cut there, or is still being "
+                           "written; it is not drawn\nwrote "),
+              0U)
+        << run.out;
+  }
+}
+
+TEST_F(Plot, DrawsNoLineWhereABodyWasAbsent) {
+  std::string rows = kMotionHeader;
+  for (int k = 0; k < 4000; ++k) {
+    const std::string t = std::to_string(k);
+    const auto row = [&](const std::string& body) {
+      return t + "," + body + "," + t + ",0,0,0,0,0,1,0,0,0,0,0,0\n";
+    };
+    if (k < 1000 || k > 1100) rows += row("leaves");
+    rows += row("stays");
+  }
+  const test::Outcome run = plot(files.written("run.csv", rows) + " --out " + files.path("out"));
+  ASSERT_EQ(run.exit_code, 0) << run.out;
+  const std::vector<std::string> curves = curvesIn(text(files.path("out/position.svg")));
+  ASSERT_EQ(curves.size(), 6U);
+  EXPECT_EQ(countOf("M", curves[0]), 3U);  // in the legend, before the gap and after it
 }
 
 TEST_F(Plot, SaysHowToInstallGnuplot) {

@@ -106,6 +106,30 @@ TEST_F(PlotBag, HoldsForcesAndTheBalanceOfItsTopics) {
   EXPECT_FALSE(run.has_kinetic);
 }
 
+TEST_F(PlotBag, WithoutABalanceSaysWhyEnergyIsNotDrawn) {
+  write("/box/odom", odometry(0));
+  const RunData without = read();
+  EXPECT_EQ(without.notices,
+            std::vector<std::string>{
+                path +
+                ": energy and momentum are not drawn, for it holds no status "
+                "(rigid_body_sim/SimStatus): record ~status of the node, too, or draw the run with "
+                "simulate --plot"});
+  bag.open(path, rosbag::bagmode::Append);
+  SimStatus status;
+  status.header.stamp = start;
+  status.energy_balance = std::nan("");
+  write("/rigid_body_node/status", status);
+  EXPECT_EQ(read().notices.at(0), path +
+                                      ": energy and momentum are not drawn, for no status in it "
+                                      "has a balance yet: record ~status for more than two "
+                                      "seconds");
+  bag.open(path, rosbag::bagmode::Append);
+  status.energy_balance = 0;
+  write("/rigid_body_node/status", status);
+  EXPECT_TRUE(read().notices.empty());
+}
+
 TEST_F(PlotBag, ThatHoldsNoMotionOrNoNumbersIsRefused) {
   const auto plotted = [&] {
     bag.close();

@@ -46,18 +46,22 @@ bool isBag(const std::string& path) {
          path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
 }
 
-void readCsvRows(std::istream& file, const std::string& header,
-                 const std::function<void(const CsvRow&)>& take) {
+std::string readCsvRows(std::istream& file, const std::string& header,
+                        const std::function<void(const CsvRow&)>& take) {
   const std::vector<std::string> names = fieldsOf(header);
   const bool has_body = names.size() > 1 && names[1] == "body";
   std::string line;
   for (int number = 2; std::getline(file, line); ++number) {
+    if (file.eof())
+      return "line " + std::to_string(number) +
+             " does not end: the file was cut there, or is still being written";
     try {
       take(rowOf(line, names.size(), has_body));
     } catch (const std::exception& fault) {
       throw std::runtime_error("line " + std::to_string(number) + ": " + fault.what());
     }
   }
+  return "";
 }
 
 }  // namespace rigid_body_sim

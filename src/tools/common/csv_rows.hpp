@@ -17,10 +17,12 @@ struct CsvRow {
   std::vector<double> numbers;
 };
 
-/// Reads the rows that follow the header, which has been read already. Throws std::runtime_error,
-/// one line that begins with the line's number, for a row of another number of fields, a number
-/// that is not finite, and what `take` throws.
-void readCsvRows(std::istream& file, const std::string& header,
-                 const std::function<void(const CsvRow&)>& take);
+/// Reads the rows that follow the header, which has been read already. A last line without an end
+/// has been cut, perhaps within a number, and is left out; returns what to say of it, one line,
+/// empty where there is none. Throws std::runtime_error, one line that begins with the line's
+/// number, for another row of another number of fields, a number that is not finite, and what
+/// `take` throws.
+[[nodiscard]] std::string readCsvRows(std::istream& file, const std::string& header,
+                                      const std::function<void(const CsvRow&)>& take);
 
 }  // namespace rigid_body_sim

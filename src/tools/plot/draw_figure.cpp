@@ -55,14 +55,20 @@ Range valuesOf(const Panel& panel) {
 }
 
 /// A picture has no more columns than these: of more samples, the least and the greatest of each
-/// column are drawn. A blank line where time goes back, as after a reset: there the line breaks.
+/// column are drawn. A blank line where time goes back, as after a reset, and where points are
+/// missing: there the line breaks.
 void writeBlock(const std::string& name, const Curve& curve, std::ostream& script) {
   constexpr std::size_t kColumns = 600;
   const std::size_t count = curve.t.size(), width = std::max<std::size_t>(1, count / kColumns);
   script << name << " << EOD\n";
-  double last = -std::numeric_limits<double>::infinity();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // two points that are drawn are up to two columns apart; rounding of stamps and a short last
+  // interval are no gap
+  const double gap =
+      curve.interval > 0 ? static_cast<double>(2 * width + 2) * curve.interval : kInfinity;
+  double last = -kInfinity;
   const auto write = [&](std::size_t k) {
-    if (curve.t[k] < last) script << '\n';
+    if (curve.t[k] < last || (last > -kInfinity && curve.t[k] - last > gap)) script << '\n';
     last = curve.t[k];
     script << numberText(last) << ' ' << numberText(curve.y[k]) << '\n';
   };

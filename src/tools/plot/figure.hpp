@@ -10,6 +10,9 @@ struct Curve {
   std::string name;  ///< in the legend
   std::vector<double> t{}, y{};
   bool dashed = false;  ///< so that a line below it can be seen
+  /// [s] The usual interval between two points. Where points are missing, as of a body that was
+  /// absent, the line breaks. Zero: it never does.
+  double interval = 0;
 };
 
 /// Curves over one axis.

@@ -40,6 +40,17 @@ class ChangeScale {
   double change_ = 0, greatest_ = 0;
 };
 
+/// [s] The median interval between instants that differ; zero where there is none.
+double usualInterval(const std::vector<double>& t) {
+  std::vector<double> intervals;
+  for (std::size_t k = 1; k < t.size(); ++k)
+    if (t[k] > t[k - 1]) intervals.push_back(t[k] - t[k - 1]);
+  if (intervals.empty()) return 0;
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return *middle;
+}
+
 void addPoint(double t, const Vector3d& v, std::array<Curve, 3>& curves) {
   for (int i = 0; i < 3; ++i) {
     curves[static_cast<std::size_t>(i)].t.push_back(t);
@@ -62,6 +73,7 @@ Figure vectorFigure(const std::string& name, const std::string& title, const ByB
   for (const BodySamples<N>& each : all.all()) {
     if (!contains(bodies, each.body)) continue;
     std::array<Curve, 3> curves{Curve{each.body}, Curve{each.body}, Curve{each.body}};
+    for (Curve& curve : curves) curve.interval = usualInterval(each.samples.t);
     const auto vector = vector_of();
     for (std::size_t k = 0; k < each.samples.t.size(); ++k)
       addPoint(each.samples.t[k], vector(each.samples.rows[k]), curves);

@@ -43,6 +43,7 @@ std::string timeAxis(const RunData& run) {
 
 std::string plotRun(const PlotJob& job, const Note& note) {
   const RunData run = readRun(job.files);
+  for (const std::string& notice : run.notices) note(notice);
   const std::vector<std::string> bodies = chosenBodies(job, run, note);
   const std::string fast = bodyThatTurnsTooFar(run, bodies);
   if (!fast.empty())

@@ -14,6 +14,7 @@
 #include <rigid_body_sim/SimStatus.h>
 
 #include "ros/messages/conversions.hpp"
+#include "scene/message_text.hpp"
 #include "tools/plot/run_data.hpp"
 
 namespace rigid_body_sim {
@@ -40,6 +41,14 @@ std::array<double, 13> motionOf(const nav_msgs::Odometry& message) {
   return {x.x, x.y, x.z, q.x, q.y, q.z, q.w, v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
 }
 
+// why there is no picture of energy and momentum
+constexpr const char* kNoStatus =
+    ": energy and momentum are not drawn, for it holds no status (rigid_body_sim/SimStatus): "
+    "record ~status of the node, too, or draw the run with simulate --plot";
+constexpr const char* kNoBalance =
+    ": energy and momentum are not drawn, for no status in it has a balance yet: record ~status "
+    "for more than two seconds";
+
 /// Reads message after message of a bag.
 class BagRunReader {
  public:
@@ -52,7 +61,13 @@ class BagRunReader {
     if (wrench && endsWith(message.getTopic(), "/pivot_force")) takePivot(*wrench);
   }
 
-  const RunData& run() const { return run_; }
+  /// The run as it has been read, with what there is to say of it.
+  RunData run(const std::string& path) const {
+    RunData run = run_;
+    if (run.balance.t.empty())
+      run.notices.push_back(oneLine(path) + (has_status_ ? kNoBalance : kNoStatus));
+    return run;
+  }
 
  private:
   /// [s] From the first stamp on, where stamps are wall time: more digits than a plot can show.
@@ -113,6 +128,7 @@ class BagRunReader {
 
   /// Balances that nobody has subscribed to yet are not numbers.
   void takeStatus(const SimStatus& status) {
+    has_status_ = true;
     const Vector3d p = fromVector3(status.momentum), L = fromVector3(status.angular_momentum);
     const Vector3d dp = fromVector3(status.momentum_balance);
     const Vector3d dL = fromVector3(status.angular_momentum_balance);
@@ -125,6 +141,7 @@ class BagRunReader {
   }
 
   RunData run_;
+  bool has_status_ = false;
   std::optional<ros::Time> begin_;
 };
 
@@ -140,9 +157,10 @@ RunData readBagRun(const std::string& path) {
     } catch (const std::exception& fault) {
       throw std::runtime_error(message.getTopic() + ": " + fault.what());
     }
-  if (reader.run().motion.empty())
+  RunData run = reader.run(path);
+  if (run.motion.empty())
     throw std::runtime_error("holds no odometry (nav_msgs/Odometry): record <body>/odom");
-  return reader.run();
+  return run;
 }
 
 }  // namespace rigid_body_sim

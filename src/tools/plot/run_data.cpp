@@ -32,44 +32,45 @@ void requireFirstOfItsKind(const Rows& rows) {
     throw std::runtime_error("another file of the same kind is given, too: plot one run at a time");
 }
 
-void readMotionRows(std::istream& file, const std::string& header, RunData& run) {
+std::string readMotionRows(std::istream& file, const std::string& header, RunData& run) {
   requireFirstOfItsKind(run.motion);
-  readCsvRows(file, header, [&](const CsvRow& row) {
+  return readCsvRows(file, header, [&](const CsvRow& row) {
     Samples<13>& samples = run.motion.of(row.body);
     addSample(row.time, row.numbers, samples);
     requireMotion(samples.rows.back());
   });
 }
 
-void readForceRows(std::istream& file, const std::string& header, RunData& run) {
+std::string readForceRows(std::istream& file, const std::string& header, RunData& run) {
   requireFirstOfItsKind(run.loads);
-  readCsvRows(file, header,
-              [&](const CsvRow& row) { addSample(row.time, row.numbers, run.loads.of(row.body)); });
+  return readCsvRows(file, header, [&](const CsvRow& row) {
+    addSample(row.time, row.numbers, run.loads.of(row.body));
+  });
 }
 
-void readBalanceRows(std::istream& file, const std::string& header, RunData& run) {
+std::string readBalanceRows(std::istream& file, const std::string& header, RunData& run) {
   requireFirstOfItsKind(run.balance.t);
   run.has_kinetic = true;
-  readCsvRows(file, header,
-              [&](const CsvRow& row) { addSample(row.time, row.numbers, run.balance); });
+  return readCsvRows(file, header,
+                     [&](const CsvRow& row) { addSample(row.time, row.numbers, run.balance); });
+}
+
+std::string readRows(std::istream& file, RunData& run) {
+  std::string header;
+  std::getline(file, header);
+  if (header == kCsvHeader) return readMotionRows(file, header, run);
+  if (header == kForcesHeader) return readForceRows(file, header, run);
+  if (header == kBalanceHeader) return readBalanceRows(file, header, run);
+  throw std::runtime_error(
+      "neither a bag (.bag) nor a CSV file that simulate writes with --csv or --plot: line 1 is '" +
+      printable(header) + "'");
 }
 
 void addCsv(const std::string& path, RunData& run) {
   std::ifstream file(path);
-  std::string header;
   if (!file.is_open()) throw std::runtime_error(std::strerror(errno));
-  std::getline(file, header);
-  if (header == kCsvHeader)
-    readMotionRows(file, header, run);
-  else if (header == kForcesHeader)
-    readForceRows(file, header, run);
-  else if (header == kBalanceHeader)
-    readBalanceRows(file, header, run);
-  else
-    throw std::runtime_error(
-        "neither a bag (.bag) nor a CSV file that simulate writes with --csv or --plot: line 1 is "
-        "'" +
-        printable(header) + "'");
+  const std::string cut = readRows(file, run);
+  if (!cut.empty()) run.notices.push_back(oneLine(path) + ": " + cut + "; it is not drawn");
 }
 
 std::string fileName(const std::string& path) {

@@ -58,7 +58,8 @@ struct RunData {
   ByBody<3> contact;    ///< [N] force of all contacts of the body, world axes
   ByBody<3> pivot;      ///< [N] force of the pivot, in the axes of the body
   Samples<16> balance;  ///< as in kBalanceHeader
-  bool has_kinetic = false;  ///< else the column of the kinetic energy is of no meaning
+  bool has_kinetic = false;          ///< else the column of the kinetic energy is of no meaning
+  std::vector<std::string> notices;  ///< what the files lack, a line each
 };
 
 /// Reads the bag, or the CSV files of one run: of its motion, forces and balance, one or more of
