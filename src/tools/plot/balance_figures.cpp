@@ -44,11 +44,12 @@ Panel vectorPanel(const std::string& axis, const Samples<16>& samples, std::size
   return panel;
 }
 
-/// "energy: at most 3e-16 J, 1e-17 of the greatest kinetic energy"
+/// "energy: at most 3e-16 J, 1e-17 of the greatest kinetic energy". Of a body that stands still
+/// that is rounding, too, and no measure.
 std::string leftText(const std::string& what, double most, const char* unit, double scale,
                      const std::string& of) {
   std::string text = what + formatted(": at most %.2g %s", most, unit);
-  if (scale > 0 && most > 0) text += formatted(", %.1g of ", most / scale) + of;
+  if (scale > most && most > 0) text += formatted(", %.1g of ", most / scale) + of;
   return text;
 }
 
