@@ -6,6 +6,7 @@
 #include <rigid_body_sim/dynamics/contact.hpp>
 #include <rigid_body_sim/mass/shapes.hpp>
 
+#include "dynamics/run/contact_bound.hpp"
 #include "support/worlds.hpp"
 
 /// Bodies that touch planes and one another.
@@ -82,8 +83,9 @@ inline BodyFrameMotion motionAt(const Vector3d& x_W, const Vector3d& v_W = Vecto
   return motion;
 }
 
-/// With auto, at a stated tolerance.
+/// With auto, at a stated tolerance, and at the steps that it asks for before any trial.
 inline Simulation simulationAt(Bench bench, double tolerance, double time_step) {
+  bench.initial.contact_bound = contactStepBound(tolerance);
   bench.world.solver.tolerance = tolerance;
   bench.world.solver.tolerance_stated = true;
   return bench.simulation("auto", time_step);

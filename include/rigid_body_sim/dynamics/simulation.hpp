@@ -30,6 +30,19 @@ struct ErrorEstimate {
   double lost_at = std::numeric_limits<double>::infinity();
 };
 
+/// What auto has found before the run of a scene with contact. Impacts magnify errors, so that the
+/// scene is run up to its horizon beside a run whose bounds are 100 times looser. Where the two
+/// part by more than the tolerance, it is tried anew at bounds 100 times tighter, down to 1e-14;
+/// below, rounding decides. Bound on its work: tenths of a second. It is done where the scene
+/// states a tolerance.
+struct ContactTrial {
+  double step_bound = 0;  ///< what the error estimate of a step in contact may reach
+  /// [s] Since when the tolerance was exceeded at that bound; infinite where it was not.
+  double lost_at = std::numeric_limits<double>::infinity();
+  /// [s] Up to when the scene was tried at that bound; the start where it was not.
+  double tried_until = 0;
+};
+
 /// Advances a world by its fixed time step. Time is step count × step, never accumulated.
 /// Wrenches start and end at their exact instants, whatever the step. Bodies that do not act on one
 /// another are advanced separately. Copies are independent: two threads may run two of them, and
@@ -137,6 +150,9 @@ class Simulation {
 
   /// How the bodies are advanced, group by group.
   std::vector<MotionPlan> plans() const;
+
+  /// How steps in contact are bounded. Of a scene without contact it means nothing.
+  ContactTrial contactTrial() const;
 
   /// Largest number of substeps that a step was divided into so far, because something turned,
   /// swung or decayed faster than its method follows in one; 1 when none was.

@@ -95,6 +95,9 @@ struct State {
   std::vector<MotionAnchor> anchors{};
   std::vector<MotionPlan> plans{};
   std::vector<std::size_t> near_laws{};  ///< indices in World::laws, ascending
+  /// What the error estimate of a step in contact may reach, as ContactTrial::step_bound; 0: chosen
+  /// anew.
+  double contact_bound = 0;
 };
 
 /// Pose and velocity of a body frame, as its user gives and reads them.

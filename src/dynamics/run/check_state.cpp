@@ -107,6 +107,8 @@ void checkState(const World& world, const State& state) {
           state.laws.size());
   for (double own : state.laws)
     require(std::isfinite(own), "states of laws must be finite numbers", Got{own});
+  require(std::isfinite(state.contact_bound) && state.contact_bound >= 0,
+          "the bound on steps in contact must be >= 0", Got{state.contact_bound});
   checkLawStates(world, state);
   checkActuatorStates(world, state);
   checkSchedules(world, state);

@@ -7,8 +7,14 @@ namespace rigid_body_sim {
 /// The tightest tolerance of auto that contact is integrated to: a tighter one changes nothing.
 constexpr double kTightestInContact = 1e-10;
 
-/// What the error estimate of a step in contact may reach. Errors grow from impact to impact, so
-/// that it lies far below the tolerance; below 1e-14, rounding would decide.
+/// The least bound on the error estimate of a step in contact; below it, rounding would decide.
+constexpr double kLeastContactBound = 1e-14;
+
+/// By how much looser that bound is in the run that estimates the error.
+constexpr double kCompanionShare = 100;
+
+/// What the error estimate of a step in contact may reach, before a trial has shown how errors
+/// grow. They grow from impact to impact, so that it lies far below the tolerance.
 inline double contactStepBound(double tolerance) {
   constexpr double kShare = 1e-4, kLoosest = 1e-6;
   return std::min(kShare * std::max(tolerance, kTightestInContact), kLoosest);

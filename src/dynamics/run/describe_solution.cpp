@@ -3,10 +3,12 @@
 #include <set>
 #include <sstream>
 
+#include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 
 #include "dynamics/methods/pivots.hpp"
 #include "dynamics/rotation/free_top.hpp"
+#include "dynamics/run/contact_bound.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -109,6 +111,28 @@ std::string shortfall(const World& world, const MotionPlan& plan) {
   return text.str();
 }
 
+/// What the trial of contact has found, in words; empty where there is nothing to report.
+std::string contactText(const Simulation& simulation) {
+  const SolverOptions& solver = simulation.world().solver;
+  const ContactTrial trial = simulation.contactTrial();
+  std::ostringstream text;
+  if (std::isfinite(trial.lost_at)) {
+    text << "contact: a trial shows that tolerance " << solver.tolerance << " holds up to "
+         << trial.lost_at << " s only: impacts magnify errors, and steps cannot be tighter";
+    return text.str();
+  }
+  const double tighter = contactStepBound(solver.tolerance) / trial.step_bound;
+  if (tighter > 1.5)
+    text << "contact: errors of a step are kept " << tighter << " times smaller than tolerance "
+         << solver.tolerance << " asks for at first, because impacts magnify them";
+  const bool cut_short =
+      trial.tried_until > simulation.time() && trial.tried_until < solver.horizon;
+  if (cut_short)
+    text << (tighter > 1.5 ? "; " : "contact: ") << "tried up to " << trial.tried_until << " s of "
+         << solver.horizon << " s";
+  return text.str();
+}
+
 /// A line for each body, or, of very many, for neighbours of which the same is to be said.
 std::vector<std::string> linesOf(const World& world, const std::vector<std::string>& texts) {
   constexpr std::size_t kMany = 40;
@@ -145,6 +169,8 @@ std::vector<std::string> describeSolution(const Simulation& simulation) {
   }
   std::vector<std::string> lines = linesOf(world, texts);
   lines.insert(lines.end(), shortfalls.begin(), shortfalls.end());
+  const std::string contact = hasContact(world) ? contactText(simulation) : "";
+  if (!contact.empty()) lines.push_back(contact);
   return lines;
 }
 

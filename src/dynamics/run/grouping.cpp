@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "dynamics/run/contact_bound.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -144,12 +146,13 @@ void Grouping::disturb(RunState& run, std::size_t body) {
 }
 
 void Grouping::formAtTwiceTheStep(RunState& coarse, const RunState& fine) {
-  planner_.doubleTurns();
+  planner_.loosen();
   watches_ = LawWatches(*coarse.world, coarse.laws, watches_.near());
   coarse.groups.clear(coarse.world->bodies.size());
   for (const Group& group : fine.groups.all()) {
     MethodChoice choice = group.choice();
     choice.max_turn_share *= 2;
+    choice.contact_bound *= kCompanionShare;
     std::vector<BodyState> states;
     for (std::size_t k = 0; k < group.members().size(); ++k)
       states.push_back(fine.present(group.members()[k]));

@@ -18,6 +18,8 @@ struct MethodChoice {
   bool cut_short = false;     ///< whether that is before the world's horizon
   bool by_estimates = false;  ///< the integrator's own estimates divide its steps so that the
                               ///< tolerance is held
+  double contact_bound = 0;   ///< what the error estimate of a step in contact may reach; 0: as
+                              ///< contactStepBound says
 };
 
 /// What follows any motion within the tolerance, at a higher price than what a trial finds: dop853

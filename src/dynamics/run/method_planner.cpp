@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "dynamics/run/contact_bound.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -21,7 +23,13 @@ bool actsInPlaces(const World& world) {
 
 MethodPlanner::MethodPlanner(const World& world)
     : method_(world.solver.integrator == "auto" ? nullptr : &methodNamed(world.solver.integrator)),
-      solves_media_(!actsInPlaces(world)) {}
+      solves_media_(!actsInPlaces(world)),
+      contact_bound_(contactStepBound(world.solver.tolerance)) {}
+
+void MethodPlanner::loosen() {
+  max_turn_share_ *= 2;
+  contact_bound_ *= kCompanionShare;
+}
 
 /// A body under held wrenches, by itself or, where it is on no pivot, in a medium.
 bool MethodPlanner::isSolved(const World& world, const CoupledBodies& group, unsigned needs,
@@ -55,6 +63,7 @@ MethodChoice MethodPlanner::atStart(const World& world, const LawTable& laws,
   const double share = std::min(1.0, kFullTrials / static_cast<double>(trials));
   MethodChoice choice = chooseMethod(world, laws, group, start, share * kMaxTrialSteps);
   choice.max_turn_share = max_turn_share_;
+  choice.contact_bound = contact_bound_;
   return choices_[scheduled][group.members] = choice;
 }
 
@@ -69,6 +78,7 @@ MethodChoice MethodPlanner::later(const World& world, const CoupledBodies& group
     choice = errorControlled();
   }
   choice.max_turn_share = max_turn_share_;
+  choice.contact_bound = contact_bound_;
   return choice;
 }
 
@@ -95,13 +105,14 @@ MethodChoice MethodPlanner::asPlanned(const World& world, const CoupledBodies& g
   if (!plan.integrator.empty()) {
     const Method& method = methodNamed(plan.integrator);
     rigid_body_sim::requireSupport(method, needs, body);
-    return {&method,    plan.substeps,    plan.error,     max_turn_share_,
-            plan.holds, plan.tried_until, plan.cut_short, plan.by_estimates};
+    return {&method,          plan.substeps,  plan.error,        max_turn_share_, plan.holds,
+            plan.tried_until, plan.cut_short, plan.by_estimates, contact_bound_};
   }
   if (!isSolved(world, group, needs, schedules))
     throw std::invalid_argument("body '" + body + "': its motion cannot be solved with what acts");
   MethodChoice solved;
   solved.max_turn_share = max_turn_share_;
+  solved.contact_bound = contact_bound_;
   return solved;
 }
 

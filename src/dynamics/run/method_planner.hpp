@@ -16,8 +16,13 @@ class MethodPlanner {
   /// Throws std::invalid_argument for an integrator that is unknown.
   explicit MethodPlanner(const World& world);
 
-  /// In a run at twice the step, that estimates errors, a substep may turn twice as far, too.
-  void doubleTurns() { max_turn_share_ *= 2; }
+  /// In a run at twice the step, that estimates errors, a substep may turn twice as far, and err by
+  /// more in contact.
+  void loosen();
+
+  /// What the error estimate of a step in contact may reach.
+  double contactBound() const { return contact_bound_; }
+  void setContactBound(double bound) { contact_bound_ = bound; }
 
   /// Throws std::invalid_argument, naming the body, where the integrator does not support what the
   /// group needs.
@@ -53,6 +58,7 @@ class MethodPlanner {
   const Method* method_;  // null: auto
   bool solves_media_;     // whether motions in a medium may be solved
   double max_turn_share_ = 1;
+  double contact_bound_;
   /// Of auto's trials, by members; first without the scene's wrenches, then with them.
   std::map<Members, MethodChoice> choices_[2];
 };

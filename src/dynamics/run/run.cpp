@@ -12,7 +12,20 @@ Run::Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start)
     : now_(world, RunMotors::complete(*world, start)), grouping_(now_), motors_(*world, *start) {
   MethodPlanner& planner = grouping_.planner();
   planner.requireSupport(*world);
+  contact_trial_.step_bound =
+      now_.start->contact_bound > 0 ? now_.start->contact_bound : planner.contactBound();
+  contact_trial_.tried_until = now_.start->t;
   place(*now_.start, true);
+}
+
+void Run::boundContact(const ContactTrial& trial) {
+  contact_trial_ = trial;
+  place(*now_.start, true);
+}
+
+ContactTrial Run::contactTrial() const {
+  const double bound = grouping_.planner().contactBound();
+  return bound == contact_trial_.step_bound ? contact_trial_ : ContactTrial{bound};
 }
 
 Run Run::atTwiceTheStep() const {
@@ -47,6 +60,8 @@ void Run::place(const State& start, bool scheduled) {
   now_.law_states = start.laws.empty() ? now_.laws.start(world) : start.laws;
   contacts_.place(now_.steps);
   if (start.laws.empty()) contacts_.start(now_, now_.laws.oneSided(), start.bodies);
+  grouping_.planner().setContactBound(start.contact_bound > 0 ? start.contact_bound
+                                                              : contact_trial_.step_bound);
   grouping_.form(now_, start, scheduled);
   now_.beginPacks();
 }

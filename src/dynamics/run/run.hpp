@@ -24,6 +24,12 @@ class Run {
   /// The same run at twice the step, from a step of even count on, to compare with.
   Run atTwiceTheStep() const;
 
+  /// Begins anew at the start, with steps in contact bounded so.
+  void boundContact(const ContactTrial& trial);
+
+  /// That trial; after load(), the bound of the state that was loaded.
+  ContactTrial contactTrial() const;
+
   const RunState& now() const { return now_; }
 
   /// Throws std::invalid_argument, naming the body, where the integrator does not support a need.
@@ -89,6 +95,7 @@ class Run {
   Run goneOnTo(double t) const;
   std::vector<BodySchedule> scheduleEntries() const;
 
+  ContactTrial contact_trial_;
   RunState now_;
   Grouping grouping_;
   RunMotors motors_;

@@ -38,6 +38,7 @@ State Run::state() const {
   state.schedules = scheduleEntries();
   const std::set<std::size_t>& near = grouping_.watches().near();
   state.near_laws.assign(near.begin(), near.end());
+  if (!now_.laws.contacts().empty()) state.contact_bound = grouping_.planner().contactBound();
   readBodies(state.bodies);
   state.anchors.resize(now_.world->bodies.size());
   for (std::size_t g = 0; g < now_.groups.size(); ++g) {
@@ -59,6 +60,7 @@ State Run::sample(double t) const {
     sampled.anchors.clear();
     sampled.plans.clear();
     sampled.near_laws.clear();
+    sampled.contact_bound = 0;
     return sampled;
   }
   sampled.t = t;

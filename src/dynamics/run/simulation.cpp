@@ -4,6 +4,7 @@
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
 #include "dynamics/run/check_input.hpp"
+#include "dynamics/run/contact_trial.hpp"
 #include "dynamics/run/parts.hpp"
 #include "math/shortest.hpp"
 
@@ -18,8 +19,10 @@ std::string divergedMessage(double time, const std::string& body, const std::str
 Run start(World world, State state) {
   checkWorld(world);
   checkState(world, state);
-  return Run(std::make_shared<const World>(std::move(world)),
-             std::make_shared<const State>(std::move(state)));
+  Run run(std::make_shared<const World>(std::move(world)),
+          std::make_shared<const State>(std::move(state)));
+  if (needsContactTrial(run)) run.boundContact(tryContact(run));
+  return run;
 }
 
 }  // namespace
@@ -201,6 +204,7 @@ std::vector<MotionPlan> Simulation::plans() const {
   return plans;
 }
 
+ContactTrial Simulation::contactTrial() const { return parts_->run.contactTrial(); }
 int Simulation::maxSubsteps() const { return parts_->run.now().groups.maxSubsteps(); }
 double Simulation::magnification() const {
   const RunState& now = parts_->run.now();

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "dynamics/rotation/free_motion.hpp"
+#include "dynamics/run/contact_bound.hpp"
 
 namespace rigid_body_sim {
 
@@ -21,11 +22,13 @@ void Stepper::fallBackToErrorControl() {
   MethodChoice controlled = errorControlled();
   controlled.max_turn_share = choice_.max_turn_share;
   controlled.holds = choice_.holds;
+  controlled.contact_bound = choice_.contact_bound;
   choice_ = controlled;
 }
 
 Stepper::Stepper(const MethodChoice& choice, const ErrorBound& tolerance, const System& system)
     : choice_(choice), tolerance_(tolerance) {
+  if (choice_.contact_bound == 0) choice_.contact_bound = contactStepBound(tolerance.attitude);
   std::vector<Stiffness> stiffness(system.bodies.size());
   const auto consider = [&](const ForceLaw& law) {
     law.addStiffness(system.bodies, stiffness);

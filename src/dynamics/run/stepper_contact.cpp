@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "dynamics/rest/rest.hpp"
-#include "dynamics/run/contact_bound.hpp"
 #include "dynamics/run/stepper.hpp"
 
 /// Steps of systems with contact: between many events, as long as the integrator's estimates allow.
@@ -28,12 +27,9 @@ void Stepper::moveContactEvents(std::vector<ContactEvent>& events) {
   contact_events_.clear();
 }
 
-/// In the run that estimates the error, 100 times as much.
 StepBound Stepper::contactBound() const {
   constexpr double kIdleShare = 1e-2;
-  const double companion = choice_.max_turn_share > 1 ? 100 : 1;
-  const double bound = companion * contactStepBound(tolerance_.attitude);
-  return {bound, kIdleShare * bound};
+  return {choice_.contact_bound, kIdleShare * choice_.contact_bound};
 }
 
 /// [s] Within which the integrator is stable and its estimate can be believed.

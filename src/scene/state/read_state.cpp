@@ -199,6 +199,12 @@ const std::vector<Key<Whole>>& keysOfState() {
        },
        true},
       {"near_laws", [](const Entry& e, Whole& s) { s.value.near_laws = readLawIndices(e); }, true},
+      {"contact_bound",
+       [](const Entry& e, Whole& s) {
+         s.value.contact_bound = readNumber(e, "");
+         if (!(s.value.contact_bound > 0)) e.failRule("must be > 0");
+       },
+       false},
       {kLastKey,
        [](const Entry& e, Whole&) {
          if (!readBoolean(e)) e.failRule("must be true");

@@ -153,6 +153,7 @@ void Writer::write(const State& state) {
   for (const MotionPlan& plan : state.plans) write(plan);
   *this << "near_laws: ";
   writeList(state.near_laws, [this](std::size_t law) { *this << static_cast<std::int64_t>(law); });
+  if (state.contact_bound > 0) *this << "\ncontact_bound: " << state.contact_bound;
   *this << "\n" << kLastKey << ": true\n";
 }
 

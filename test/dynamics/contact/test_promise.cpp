@@ -1,11 +1,13 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 
+#include "dynamics/run/contact_bound.hpp"
 #include "support/contact_benches.hpp"
 
 namespace rigid_body_sim {
@@ -23,6 +25,25 @@ Bench fallingBox() {
   motion.q_WB = rotationExp(Vector3d(0.3, 0.5, 0.1));
   test::addBox(bench, {0.4, 0.3, 0.2}, 5, motion, test::slope(0), contactOf(1e6, 1.5, 0.2, 0.5));
   return bench;
+}
+
+/// The same on a harder ground, to a stated tolerance.
+Bench hardLanding(double stiffness = 1e8) {
+  Bench bench = fallingBox();
+  bench.world.laws[0] = contactWithHalfSpace(
+      bench.world.bodies, 0, test::cornersOf(bench.world.bodies[0], {0.4, 0.3, 0.2}),
+      test::slope(0), contactOf(stiffness, 1.5, 0.2, 0.5));
+  bench.world.solver.tolerance = 1e-6;
+  bench.world.solver.tolerance_stated = true;
+  bench.world.solver.horizon = 1.5;
+  return bench;
+}
+
+/// Its start, with the bound that contact has before a trial.
+State untried(const Bench& bench) {
+  State state = bench.initial;
+  state.contact_bound = contactStepBound(bench.world.solver.tolerance);
+  return state;
 }
 
 /// Steps for a second; returns when the box touches first [s].
@@ -52,6 +73,82 @@ TEST(Promise, IsWithdrawnFromTheInstantAtWhichTheErrorExceedsTheTolerance) {
   EXPECT_LT(lost_at, 1);
   EXPECT_GT(sim.errorEstimate().attitude, 1e-14);
   EXPECT_NE(describePromise(sim).find("is not certain to be held"), std::string::npos);
+}
+
+// Its first bound would not do: the impacts of a box on a hard ground magnify errors too much.
+TEST(Promise, IsKeptToTheHorizonByTighterSteps) {
+  const Bench bench = hardLanding();
+  const double tolerance = bench.world.solver.tolerance, horizon = bench.world.solver.horizon;
+  Simulation sim = bench.simulation("auto", 0.005);
+  EXPECT_LT(sim.contactTrial().step_bound, 0.1 * contactStepBound(tolerance));
+  EXPECT_TRUE(std::isinf(sim.contactTrial().lost_at));
+  EXPECT_NEAR(sim.contactTrial().tried_until, horizon, 1e-9);
+  Simulation loose = sim;
+  loose.load(untried(bench));
+  EXPECT_EQ(loose.state().contact_bound, contactStepBound(tolerance));
+  Simulation truth = test::simulationAt(bench, 1e-10, 0.005);
+  for (Simulation* each : {&sim, &loose}) each->trackError();
+  while (sim.time() < horizon - 1e-9) {
+    for (Simulation* each : {&sim, &loose, &truth}) each->step();
+    EXPECT_LT(angleBetween(sim.body(0).q_WP, truth.body(0).q_WP), tolerance) << sim.time();
+  }
+  EXPECT_EQ(describePromise(sim), "");
+  EXPECT_NE(describePromise(loose), "");
+}
+
+TEST(Promise, IsSaidBeforeTheRunToBeLostWhereNoStepHoldsIt) {
+  Bench bench = hardLanding();
+  bench.world.solver.horizon = 3;
+  const Simulation sim = bench.simulation("auto", 0.005);
+  EXPECT_EQ(sim.contactTrial().step_bound, kLeastContactBound);
+  EXPECT_LT(sim.contactTrial().lost_at, 3);
+  const std::vector<std::string> lines = describeSolution(sim);
+  EXPECT_NE(lines.back().find("a trial shows that tolerance 1e-06 holds up to"), std::string::npos)
+      << lines.back();
+}
+
+// What a trial may cost does not grow with the scene.
+TEST(Promise, IsTriedForNoLongerThanItsWorkAllows) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.80665};
+  bench.world.solver.horizon = 1000;
+  for (int i = 0; i < 40; ++i)
+    test::addBall(bench, 0.1, 1, motionAt({i * 1.0, 0, 0.4}), test::slope(0),
+                  contactOf(1e6, 1.5, 0, 0.5));
+  bench.world.solver.tolerance = 1e-6;
+  bench.world.solver.tolerance_stated = true;
+  const Simulation sim = bench.simulation("auto", 0.01);
+  EXPECT_GT(sim.contactTrial().tried_until, 0.1);
+  EXPECT_LT(sim.contactTrial().tried_until, 500);
+  EXPECT_NE(describeSolution(sim).back().find("tried up to"), std::string::npos);
+}
+
+// It would hold the first seconds of a day to a tolerance that nobody knows to hold then.
+TEST(Promise, PaysForNothingOfWhichATrialTellsLittle) {
+  Bench bench = hardLanding(1e7);
+  bench.world.solver.horizon = 3;
+  EXPECT_LT(bench.simulation("auto", 0.005).contactTrial().step_bound, contactStepBound(1e-6));
+  bench.world.solver.horizon = 86400;
+  const ContactTrial trial = bench.simulation("auto", 0.005).contactTrial();
+  EXPECT_EQ(trial.step_bound, contactStepBound(1e-6));
+  EXPECT_GT(trial.tried_until, 3);
+  EXPECT_LT(trial.tried_until, 8640);
+}
+
+TEST(Promise, GoesOnFromAStateWithTheBoundThatItHad) {
+  const Bench bench = hardLanding();
+  Simulation whole = bench.simulation("auto", 0.005);
+  for (int i = 0; i < 60; ++i) whole.step();
+  World world = whole.world();
+  Simulation rest(world, whole.state()), loaded = bench.simulation("auto", 0.005);
+  loaded.load(whole.state());
+  EXPECT_EQ(rest.contactTrial().step_bound, whole.contactTrial().step_bound);
+  for (int i = 0; i < 60; ++i)
+    for (Simulation* each : {&whole, &rest, &loaded}) each->step();
+  for (const Simulation* each : {&rest, &loaded}) {
+    EXPECT_EQ(each->body(0).x_W, whole.body(0).x_W);
+    EXPECT_EQ(each->body(0).q_WP.coeffs(), whole.body(0).q_WP.coeffs());
+  }
 }
 
 TEST(Promise, IsMadeAnewByAReset) {

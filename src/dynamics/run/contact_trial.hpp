@@ -1,0 +1,14 @@
+#pragma once
+
+#include "dynamics/run/run.hpp"
+
+namespace rigid_body_sim {
+
+/// Whether auto has to find out what a stated tolerance asks of contact in the scene, and could do
+/// something about it.
+bool needsContactTrial(const Run& run);
+
+/// Runs the scene from the start at ever tighter bounds; see ContactTrial.
+ContactTrial tryContact(const Run& run);
+
+}  // namespace rigid_body_sim
