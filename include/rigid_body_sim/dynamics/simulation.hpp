@@ -33,13 +33,15 @@ struct ErrorEstimate {
 /// What auto has found before the run of a scene with contact. Impacts magnify errors, so that the
 /// scene is run up to its horizon beside a run whose bounds are 100 times looser. Where the two
 /// part by more than the tolerance, it is tried anew at bounds 100 times tighter, down to 1e-14;
-/// below, rounding decides. Bound on its work: tenths of a second. It is done where the scene
-/// states a tolerance.
+/// below, rounding decides. Its work is bounded, to tenths of a second; where that ends before a
+/// tenth of the time up to the horizon, the bound stays what it was at first. It is done where the
+/// scene states a tolerance.
 struct ContactTrial {
   double step_bound = 0;  ///< what the error estimate of a step in contact may reach
   /// [s] Since when the tolerance was exceeded at that bound; infinite where it was not.
   double lost_at = std::numeric_limits<double>::infinity();
-  /// [s] Up to when the scene was tried at that bound; the start where it was not.
+  /// [s] Up to when the scene was tried, at that bound or a tighter one; the start where it was
+  /// not.
   double tried_until = 0;
 };
 
