@@ -25,9 +25,9 @@ round. Needs a ROS master, and a rigid_body_node with config/scenes/demo.yaml.
   --help    this text
 )";
 
-/// Client of the demo: for a part of every period it pushes the box at one of its corners, so that
-/// the box flies rounds about the z axis. The corner is the one where the push spins the box up
-/// while it turns slowly, and down while it turns fast.
+/// Client of the demo: for a part of every period it pushes the box, which hangs on a spring, at
+/// one of its corners, so that it goes round below the place where the spring is fixed. The corner
+/// is the one where the push spins the box up while it turns slowly, and down while it turns fast.
 class DemoPusher {
  public:
   DemoPusher()
@@ -36,13 +36,23 @@ class DemoPusher {
         odometry_(nh_.subscribe("box/odom", 10, &DemoPusher::onOdometry, this)) {}
 
  private:
-  static constexpr double kPeriod = 1.5;     // [s]
-  static constexpr double kPush = 0.5;       // [s] of each period
-  static constexpr double kGain = 4.0;       // [N s/m] force per error of velocity
-  static constexpr double kLiveliest = 2.5;  // [rad/s] above it the pushes slow the spin
-  static constexpr double kRadius = 1.5;     // [m] of the rounds
-  static constexpr double kHeight = 1.5;     // [m]
-  static constexpr double kSpeed = 0.8;      // [m/s] along the round
+  // pushes that begin and end often enough to be watched, with time between them to swing freely
+  static constexpr double kPeriod = 1.5;  // [s]
+  static constexpr double kPush = 0.5;    // [s] of each period
+  // of a push, per error of velocity [N s/m]: at 1 m/s a fifth of the weight of the box, so that it
+  // is kept going and not led
+  static constexpr double kGain = 4.0;
+  // [rad/s] above it pushes slow the spin: a turn in 2.5 s can still be followed by the eye
+  static constexpr double kLiveliest = 2.5;
+  // Where the box hangs at rest: the spring, fixed at 3.4 m, is 1.4 m + m g / k = 1.73 m long.
+  static constexpr double kHeight = 1.67;  // [m]
+  // The radius of the round [m]: the box, 0.34 m from its centre to a corner, stays clear of the
+  // quadrotor on its circle of 1.5 m. The speed is that of a pendulum as long as the spring,
+  // r sqrt(g / 1.73 m).
+  static constexpr double kRadius = 0.4;
+  static constexpr double kSpeed = 0.95;  // [m/s]
+  static constexpr double kPull = 1.0;    // [1/s] back to the round, per distance from it
+  static constexpr double kLeast = 1e-3;  // [m] from the axis: nearer no direction is outward
 
   struct Corner {
     std::string frame;
@@ -50,12 +60,13 @@ class DemoPusher {
     Quaterniond q_BF;
   };
 
-  /// The velocity [m/s] at which the box would fly its round from here.
+  /// The velocity [m/s] at which the box would go its round from here.
   static Vector3d wantedVelocity(const Vector3d& x_W) {
     const Vector3d radial(x_W.x(), x_W.y(), 0);
-    const Vector3d outward = radial / std::max(radial.norm(), 1e-3);
-    return kSpeed * Vector3d::UnitZ().cross(outward) + (kRadius - radial.norm()) * outward +
-           (kHeight - x_W.z()) * Vector3d::UnitZ();
+    const Vector3d outward = radial / std::max(radial.norm(), kLeast);
+    const Vector3d to_round =
+        (kRadius - radial.norm()) * outward + (kHeight - x_W.z()) * Vector3d::UnitZ();
+    return kSpeed * Vector3d::UnitZ().cross(outward) + kPull * to_round;
   }
 
   void onOdometry(const nav_msgs::Odometry& odometry) {
