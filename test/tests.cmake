@@ -1,3 +1,15 @@
+# catkin before 0.8.10 gives its targets of an installed googletest the names of several libraries, or
+# of none, in place of a file.
+foreach(library gtest gtest_main gmock gmock_main)
+  get_target_property(imported ${library} IMPORTED)
+  get_target_property(location ${library} IMPORTED_LOCATION)
+  if(imported AND NOT EXISTS "${location}")
+    find_library(RIGID_BODY_SIM_${library} ${library} REQUIRED)
+    set_target_properties(${library} PROPERTIES
+      IMPORTED_LOCATION "${RIGID_BODY_SIM_${library}}")
+  endif()
+endforeach()
+
 # What drives the node in tests.
 add_library(rigid_body_sim_node_driver STATIC EXCLUDE_FROM_ALL
   test/ros/node/node_driver.cpp test/ros/node/reference_run.cpp)

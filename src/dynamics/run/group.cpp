@@ -220,7 +220,8 @@ void Group::solve(double t, double t_end, double next_event, Meter& meter) {
     anchored_until_ = next_event;
   }
   followSolved(problem(), t, t_end, next_event, *solved_,
-               [&](const SolvedMotion& motion, double from, double to) {
+               [&]([[maybe_unused]] const SolvedMotion& motion, [[maybe_unused]] double from,
+                   [[maybe_unused]] double to) {
                  if constexpr (!std::is_same_v<Meter, NoMeter>)
                    meter(MotionPiece(system_, motion, next_.laws, from, to));
                });

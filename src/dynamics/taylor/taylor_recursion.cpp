@@ -28,7 +28,8 @@ RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size
   Lanes<T> gyroscopic, steady;
   load<T>(equations.gyroscopic, gyroscopic);
   load<T>(equations.steady, steady);
-  std::conditional_t<kPulled, PullRecursion<T>, int> pull(pullOf<T, kPulled>(equations));
+  [[maybe_unused]] std::conditional_t<kPulled, PullRecursion<T>, int> pull(
+      pullOf<T, kPulled>(equations));
   [[maybe_unused]] std::conditional_t<kDriven, DriveRecursion<T>, int> drive(given_drive);
   Arranged<T> arranged;
   Products<T> p{};
