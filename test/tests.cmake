@@ -37,7 +37,7 @@ function(rigid_body_sim_gtest name)
   endforeach()
   catkin_add_gtest(${target} ${ARG_SOURCES})
   target_include_directories(${target} PRIVATE test)
-  target_link_libraries(${target} ${ARG_LIBRARIES} rigid_body_sim_options gtest_main gmock)
+  target_link_libraries(${target} ${ARG_LIBRARIES} rigid_body_sim_options gtest_main gmock gtest)
   # in a unity build a fixture in an anonymous namespace stands in an included file: no fault
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   # what is tested is compiled as users compile it; optimising the tests takes longer than it saves
