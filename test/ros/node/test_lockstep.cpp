@@ -9,6 +9,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <rigid_body_sim/AppliedWrenches.h>
+#include <rigid_body_sim/SetRealTimeFactor.h>
 #include <rigid_body_sim/Step.h>
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
@@ -91,6 +92,14 @@ bool setPaused(const std::string& node, bool paused) {
   return ros::service::call(node + "/pause", call) && call.response.success;
 }
 
+/// Returns the rule that the factor breaks; empty if none.
+std::string setFactor(const std::string& node, double factor) {
+  SetRealTimeFactor call;
+  call.request.factor = factor;
+  EXPECT_TRUE(ros::service::call(node + "/set_real_time_factor", call));
+  return call.response.message;
+}
+
 Step::Response takeSteps(const std::string& node, std::uint32_t steps) {
   Step call;
   call.request.steps = steps;
@@ -102,6 +111,15 @@ Step::Response takeSteps(const std::string& node, std::uint32_t steps) {
 
 TEST(Lockstep, ClosesTheLoopWithTheSameBytesAtEveryPace) {
   Controller fastest("/fastest"), seven_times("/seven_times");
+  // the pace may change, too, while the node waits: it waits for this test now
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return seven_times.received.size() > 20; }));
+  EXPECT_EQ(setFactor("/seven_times/node", 0.5), "");
+  const std::size_t before = seven_times.received.size();
+  const ros::WallTime begin = ros::WallTime::now();
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return seven_times.received.size() > before + 20; }));
+  // 0.2 s of simulation time, less what was on its way
+  EXPECT_GT((ros::WallTime::now() - begin).toSec(), 0.3);
+  EXPECT_EQ(setFactor("/seven_times/node", 0), "");
   for (Controller* controller : {&fastest, &seven_times}) {
     std::vector<nav_msgs::Odometry>& received = controller->received;
     ASSERT_TRUE(NodeDriver::waitFor([&] { return received.size() > 100; }));
