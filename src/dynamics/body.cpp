@@ -45,4 +45,9 @@ Body makeBody(std::string name, const MassProperties& properties_B, std::vector<
   return body;
 }
 
+Isometry3d frameBefore(const Body& before, const Body& after) {
+  if (before.X_BP.matrix() == after.X_BP.matrix()) return Isometry3d::Identity();  // exactly
+  return after.X_BP.inverse() * before.X_BP;
+}
+
 }  // namespace rigid_body_sim

@@ -17,7 +17,7 @@ Totals totalsOf(const World& world, const State& state) {
   Totals sum;
   sum.energy = mechanicalEnergy(world, state);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (world.bodies[i].fixed) continue;
+    if (!moves(world.bodies[i])) continue;
     const BodyState& body = state.bodies[i];
     const Vector3d p_W = momentumOf(world.bodies[i], body);
     sum.momentum += p_W;

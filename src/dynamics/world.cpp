@@ -13,7 +13,7 @@ double spinEnergy(const World& world, const State& given) {
   double energy = 0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
-    if (!body.actuators.empty())
+    if (!body.actuators.empty() && !body.absent)
       energy += energyOf(actuatorTable(body), state.actuators[i], state.t,
                          angularVelocity(body.inv_I, state.bodies[i].L_P));
   }
@@ -28,7 +28,7 @@ double mechanicalEnergy(const World& world, const State& state) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     bodies.push_back(&body);
-    if (body.fixed) continue;
+    if (!moves(body)) continue;
     energy += kineticEnergy(body, state.bodies[i]) -
               body.mass * world.g_W.dot(centerOfMass(body, state.bodies[i]));
   }

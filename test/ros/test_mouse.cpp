@@ -123,6 +123,25 @@ TEST_F(MouseTest, WithoutAMousePointTheCentreOfMassIsHeld) {
   EXPECT_LT(pullNow().point.norm(), 1e-15);
 }
 
+TEST_F(MouseTest, HoldsTheSamePointOfABodyWhoseMassPropertiesChange) {
+  mouse.take(feedback(Feedback::MOUSE_DOWN));
+  const Vector3d goal_W = pose() * point_B;
+  step(5);
+  const Vector3d moments(3, 2, 2.5);
+  inputs.apply(MassInput{0, {5, {-0.4, 0.3, 0.6}, moments.asDiagonal()}});
+  expectPullTo(goal_W);
+}
+
+TEST_F(MouseTest, ABodyThatLeavesIsLetGoAndCannotBePressed) {
+  mouse.take(feedback(Feedback::MOUSE_DOWN));
+  step();
+  inputs.apply(PresenceInput{0, std::nullopt});
+  step();
+  EXPECT_EQ(simulation.wrenchCount(), 0U);
+  EXPECT_EQ(mouse.take(feedback(Feedback::MOUSE_DOWN)), "body 'box' is absent");
+  EXPECT_EQ(mouse.take(dragged(Vector3d(1, 0, 0))), "body 'box' is absent");
+}
+
 TEST_F(MouseTest, ReleaseEndsThePullAtOnce) {
   mouse.take(feedback(Feedback::MOUSE_DOWN));
   mouse.take(dragged(Vector3d(1, 0, 0)));

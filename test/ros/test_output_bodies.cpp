@@ -80,4 +80,59 @@ TEST(LiveMarkers, DeleteTheTrailOfABodyThatIsRemoved) {
   EXPECT_TRUE(trailIds(message, Marker::DELETE).empty());
 }
 
+TEST(LiveMarkers, DeleteTheTrailOfABodyThatLeavesAndBeginAnotherWhereItComesIn) {
+  test::PublishedRun run(0.01);
+  MarkerArray message;
+  LiveMarkers markers(
+      {[] { return 1; }, [&](const MarkerArray& all, const ros::Time&) { message = all; }}, "world",
+      {"box", "ball", "post"});
+  markers.add(0, 0.1);
+  const auto publish = [&] {
+    run.simulation.step();
+    markers.publish(Snapshot(run.simulation, run.simulation.time()), ros::Time(1));
+  };
+  for (int i = 0; i < 3; ++i) publish();
+  EXPECT_EQ(message.markers.back().points.size(), 3U);
+  run.simulation.setPresent(0, std::nullopt);
+  markers.endTrail(0);
+  publish();
+  EXPECT_EQ(trailIds(message, Marker::DELETE).size(), static_cast<std::size_t>(Trail::kStrips));
+  EXPECT_EQ(trailIds(message, Marker::ADD).size(), 0U);
+  run.simulation.setPresent(0, initialState(run.scene, run.world).bodies[0]);
+  for (int i = 0; i < 2; ++i) publish();
+  EXPECT_TRUE(trailIds(message, Marker::DELETE).empty());
+  EXPECT_EQ(message.markers.back().points.size(), 2U);  // none from where it left
+}
+
+TEST(Outputs, AreSilentOfABodyThatIsAbsent) {
+  using Names = std::vector<std::string>;
+  test::PublishedRun run(0.01);
+  run.outputs.setStanding(true);
+  run.outputs.follow(0);
+  run.steps(2);
+  EXPECT_EQ(children(run.published.tf.back()), (Names{"box", "ball", "followed_body"}));
+  const std::size_t odometry_of_box = run.published.odometry.at("box/odom").size();
+  const std::size_t accelerations_of_box = run.published.accelerations.at("box/accel").size();
+  const std::size_t wrenches_on_box = run.published.applied.at("box/applied_wrench").size();
+
+  run.simulation.setPresent(0, std::nullopt);
+  run.outputs.followBodies();
+  run.steps(3);
+  for (const char* topic : {"box/odom", "box/accel", "box/applied_wrench"})
+    run.published.come.at(topic)();  // nor is a subscriber greeted
+  EXPECT_EQ(run.published.states.back().name, (Names{"ball", "post"}));
+  EXPECT_EQ(run.published.states.back().pose.at(1).position.x, 5);
+  EXPECT_EQ(children(run.published.tf.back()), Names{"ball"});
+  EXPECT_EQ(run.published.odometry.at("box/odom").size(), odometry_of_box);
+  EXPECT_EQ(run.published.accelerations.at("box/accel").size(), accelerations_of_box);
+  EXPECT_EQ(run.published.applied.at("box/applied_wrench").size(), wrenches_on_box);
+
+  run.simulation.setPresent(0, initialState(run.scene, run.world).bodies[0]);
+  run.outputs.followBodies();
+  run.steps(1);
+  EXPECT_EQ(run.published.states.back().name, (Names{"box", "ball", "post"}));
+  EXPECT_EQ(children(run.published.tf.back()), (Names{"box", "ball", "followed_body"}));
+  EXPECT_GT(run.published.odometry.at("box/odom").size(), odometry_of_box);
+}
+
 }  // namespace rigid_body_sim

@@ -22,7 +22,7 @@ TEST(SceneKeys, MustBeKnown) {
           "unknown key 'mas' (known: name, frame, shape, mass, density, inertia, center_of_mass, "
           "parts, particles, urdf, impossible_inertia, position, orientation, twist, pivot, drag, "
           "buoyancy, points, "
-          "collision, thrusters, rotors, wheels, imus, fixed, visual)");
+          "collision, thrusters, rotors, wheels, imus, fixed, absent, visual)");
   EXPECT_EQ(boxError("    twist: {fram: world}\n"),
             kAtBox + "unknown key 'twist.fram' (known: frame, linear, angular)");
   EXPECT_EQ(boxError("    points: {a: {pos: [0, 0, 0]}}\n"),

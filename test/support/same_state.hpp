@@ -91,6 +91,7 @@ inline void expectSameState(const State& a, const State& b) {
   ASSERT_EQ(a.plans.size(), b.plans.size());
   for (std::size_t i = 0; i < a.plans.size(); ++i) expectSamePlan(a.plans[i], b.plans[i]);
   EXPECT_EQ(a.near_laws, b.near_laws);
+  EXPECT_EQ(a.changes, b.changes);
 }
 
 /// A run taken up from its own state after that many steps has the bits of the whole, 50 steps on.

@@ -26,6 +26,7 @@ struct Body {
   Quaterniond q_BP;               ///< the rotation of X_BP
   RotationSplit<double> split{};  ///< of its free rotation
   bool fixed = false;             ///< never moves; its mass is then ignored
+  bool absent = false;            ///< takes no part: nothing acts on it, and it acts on nothing
   std::vector<Actuator> actuators{};
   bool pivoted = false;               ///< whether the origin of P is a pivot
   Vector3d com_P = Vector3d::Zero();  ///< [m] centre of mass; the origin of P without a pivot
@@ -38,5 +39,11 @@ struct Body {
 Body makeBody(std::string name, const MassProperties& properties_B,
               std::vector<Actuator> actuators = {},
               const std::optional<Vector3d>& pivot_B = std::nullopt);
+
+/// Whether a body takes part in the motion.
+inline bool moves(const Body& body) { return !body.fixed && !body.absent; }
+
+/// The principal frame P of a body as it was, seen from that of the body as it is: X_NP.
+Isometry3d frameBefore(const Body& before, const Body& after);
 
 }  // namespace rigid_body_sim

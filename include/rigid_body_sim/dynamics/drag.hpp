@@ -23,6 +23,8 @@ class Drag final : public ForceLaw {
   std::vector<std::size_t> members() const override { return {body_}; }
   std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>& index) const override;
+  std::shared_ptr<const ForceLaw> reframed(std::size_t body, const Body& before,
+                                           const Body& after) const override;
   unsigned needs() const override { return kDrag; }
   void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
   double potentialEnergy(const Bodies& /*at*/) const override { return 0; }

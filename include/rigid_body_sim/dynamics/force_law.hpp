@@ -75,6 +75,14 @@ class ForceLaw {
   virtual std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>& index) const = 0;
 
+  /// The same law where the mass properties of its member i have changed, and its principal frame P
+  /// with them: what is fixed to the body stays where it is in the body frame B. Null where the law
+  /// cannot follow such a change, which is then refused.
+  virtual std::shared_ptr<const ForceLaw> reframed(std::size_t /*body*/, const Body& /*before*/,
+                                                   const Body& /*after*/) const {
+    return nullptr;
+  }
+
   /// What an integrator must support (Need).
   virtual unsigned needs() const = 0;
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -42,6 +43,21 @@ struct WindInput {
   Vector3d velocity_W = Vector3d::Zero();  ///< [m/s]
 };
 
+/// The mass properties of a body that moves are others from now on: fuel, a payload, a gripper. Its
+/// place, its momentum p and its angular momentum about the world's origin are kept, so that its
+/// velocities change; until a reset, after which they are those of the scene. See
+/// Simulation::setMassProperties.
+struct MassInput {
+  std::size_t body = 0;         ///< index
+  MassProperties properties_B;  ///< with wheels and rotors, as if these stood still in it
+};
+
+/// A body that is absent comes in, or one that is present leaves; see Simulation::setPresent.
+struct PresenceInput {
+  std::size_t body = 0;                   ///< index
+  std::optional<BodyFrameMotion> motion;  ///< with which it comes in; none: it leaves
+};
+
 /// Back to the initial states, every wrench and command cleared.
 struct ResetInput {
   bool restart_time = false;  ///< also time and the schedule of the scene; else time runs on
@@ -54,6 +70,6 @@ struct LoadInput {
 };
 
 using SimulationInput = std::variant<WrenchInput, ClearInput, StateInput, ResetInput, CommandInput,
-                                     LoadInput, WindInput>;
+                                     LoadInput, WindInput, MassInput, PresenceInput>;
 
 }  // namespace rigid_body_sim

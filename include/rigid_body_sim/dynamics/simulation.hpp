@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -69,6 +70,8 @@ class Simulation {
   Simulation& operator=(Simulation&& other) noexcept;
   ~Simulation();
 
+  /// As it is now: setMassProperties, reset and load may change mass properties, and what goes by
+  /// them; then this is another object.
   const World& world() const;
   double time() const;
   std::int64_t steps() const;
@@ -105,15 +108,36 @@ class Simulation {
   void apply(const SimulationInput& input);
 
   /// The same by their parts; see WrenchInput, ClearInput, StateInput, ResetInput, CommandInput,
-  /// WindInput. Bodies on which nothing changes keep their bits. A state that is set leaves the
-  /// speeds of wheels and rotors relative to the body as they are, and L_W follows from them. A
-  /// command that would have started before starts now.
+  /// WindInput, MassInput, PresenceInput. Bodies on which nothing changes keep their bits. A state
+  /// that is set leaves the speeds of wheels and rotors relative to the body as they are, and L_W
+  /// follows from them. A command that would have started before starts now.
   void applyWrench(const std::string& slot, const PointWrench& wrench);
   void clearWrenches(std::size_t body = ClearInput::kEveryBody, const std::string& slot = "");
   void setState(std::size_t body, const BodyState& state);
   void reset(bool restart_time);
   void command(const ActuatorCommand& command);
   void setWind(const Vector3d& velocity_W);
+
+  /// Other mass properties of a body that moves, from now on and until a reset or load. The body
+  /// stays where it is, and keeps its momentum p and its angular momentum about the world's origin,
+  /// to the last bit where its centre of mass stays in place; v = p/m and ω = I⁻¹ L are others. Of
+  /// wheels and rotors the momentum h and the speed Ω are kept; on a pivot L about the pivot, and
+  /// the pivot takes up the change of p. What is attached stays at its point of the body: wrenches,
+  /// springs, tethers, shapes that touch, buoyancy, motors; drag without a centre, and gravity, act
+  /// at the new centre of mass. Friction stays as stiff as for the mass of the scene. The balance
+  /// counts the change of energy as work. Throws std::invalid_argument, and leaves all as it was,
+  /// for what has a fault (massPropertiesFault, actuatorsFault).
+  void setMassProperties(std::size_t body, const MassProperties& properties_B);
+
+  /// A body that is absent comes in, with a state and its motors as they start; or, without a
+  /// state, one that is present leaves. While it is absent nothing acts on it and it acts on
+  /// nothing: springs, tethers and contacts to it rest, wrenches on it are refused, and it counts
+  /// in no energy or momentum. Where it leaves, wrenches and commands on it end, and wrenches that
+  /// turn with it; others keep their bits unless it acted on them. Contacts and tethers start anew
+  /// where it comes in. The balance counts its energy and momenta as exchanged. Until a reset or
+  /// load. Throws std::invalid_argument, and leaves all as it was, for a body that is fixed or
+  /// where it is to be already.
+  void setPresent(std::size_t body, const std::optional<BodyState>& state);
 
   /// On from a state as state() gave it, of this run or another of the same world: the same bits
   /// follow as there. A reset still leads to the start of this run. Throws std::invalid_argument,

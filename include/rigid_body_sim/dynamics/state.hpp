@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,15 @@ struct BodySchedule {
   std::vector<ActuatorCommand> commands;  ///< to come
 };
 
+/// What a run has changed about a body of its world.
+struct BodyChange {
+  std::optional<MassProperties> properties_B;  ///< in place of the world's; see MassInput
+  std::optional<bool> absent;                  ///< likewise
+
+  bool any() const { return properties_B || absent; }
+};
+bool operator==(const BodyChange& a, const BodyChange& b);
+
 /// What changes about the world, and what it takes to go on from there.
 struct State {
   double t = 0;                   ///< [s] since the start of the simulation
@@ -89,6 +99,9 @@ struct State {
   /// Body by body; empty: the wrenches of the world, and those of its commands that the state has
   /// not taken yet.
   std::vector<BodySchedule> schedules{};
+  /// Body by body, against the world as it was made; empty: nothing is changed. Momenta and
+  /// principal axes of this state are those of the bodies with their changes.
+  std::vector<BodyChange> changes{};
   /// What the same bits need beside: the anchors, one a body, the plans, and the contacts that link
   /// bodies because these are near each other. Empty in a state that a program makes: then motions
   /// are anchored at it, and auto chooses anew.

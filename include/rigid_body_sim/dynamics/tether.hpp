@@ -34,6 +34,8 @@ class Tether final : public ForceLaw {
   std::vector<std::size_t> members() const override;
   std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>& index) const override;
+  std::shared_ptr<const ForceLaw> reframed(std::size_t body, const Body& before,
+                                           const Body& after) const override;
   unsigned needs() const override {
     return constants_.damping > 0 ? kCoupling | kDamping : kCoupling;
   }

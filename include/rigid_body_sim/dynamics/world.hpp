@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct SolverOptions {
                                     ///< than the tolerance; else they are solved to rounding
 };
 
+/// What of a world depends on the mass properties of its bodies.
+struct WorldBodies {
+  std::vector<Body> bodies;
+  std::vector<PointWrench> wrenches;
+  ForceLaws laws;
+};
+
 /// Everything that a simulation holds constant: what the scene named and nothing else.
 struct World {
   std::vector<Body> bodies;
@@ -34,7 +42,14 @@ struct World {
   /// Tells worlds of different scenes apart, so that none takes the saved state of another; empty
   /// in a world that a program makes.
   std::string fingerprint;
+  /// Of a world with changes: what it was without; null where there are none.
+  std::shared_ptr<const WorldBodies> unchanged{};
 };
+
+/// The world with these changes, and no others; see State::changes. Throws std::invalid_argument,
+/// naming the body, where a body that is fixed is changed, where mass properties break a rule of
+/// makeBody, and where a law does not follow.
+World withChanges(World world, const std::vector<BodyChange>& changes);
 
 /// Kinetic energy of the bodies that move, with their wheels and rotors, and potential energy of
 /// gravity and of the laws [J].

@@ -31,6 +31,9 @@ class FrameTable {
   /// Adds a frame F at pose X_GF in a frame G of the table, which it moves with.
   void attach(const std::string& name, const std::string& G, const Isometry3d& X_GF);
 
+  /// Gives the frames of a body in its principal frame N, which was P; see MassInput.
+  void reframe(std::size_t body, const Isometry3d& X_NP);
+
   /// Null for an unknown name.
   const FixedFrame* find(const std::string& name) const;
 

@@ -147,7 +147,8 @@ struct BodyDef {
   DragDef drag;
   std::optional<BuoyancyDef> buoyancy;
   std::vector<PointDef> points;
-  bool fixed = false;  ///< it never moves
+  bool fixed = false;   ///< it never moves
+  bool absent = false;  ///< takes no part until it comes in; see Simulation::setPresent
   VisualDef visual;
   ActuatorDefs actuators;
   std::vector<ImuDef> imus;

@@ -35,6 +35,17 @@ std::shared_ptr<const ForceLaw> BallContact::reindexed(
   return copy;
 }
 
+/// Bristles are as stiff as for the masses with which the law was made, as those of PlaneContact.
+std::shared_ptr<const ForceLaw> BallContact::reframed(std::size_t body, const Body& before,
+                                                      const Body& after) const {
+  const Isometry3d X_NP = frameBefore(before, after);
+  auto copy = std::make_shared<BallContact>(*this);
+  for (Side* side : {&copy->a_, &copy->b_})
+    if (side->body == body)
+      for (Feature& ball : side->balls) ball = moved(ball, X_NP);
+  return copy;
+}
+
 BallContact::Frame BallContact::frameOf(const Side& side, const Bodies& at) {
   if (side.body == kWorld) return {};
   const Body& body = *at.bodies[side.body];

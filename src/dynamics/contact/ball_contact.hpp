@@ -21,6 +21,8 @@ class BallContact final : public ContactLaw {
   std::vector<std::size_t> members() const override;
   std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>& index) const override;
+  std::shared_ptr<const ForceLaw> reframed(std::size_t body, const Body& before,
+                                           const Body& after) const override;
 
   void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override;
   void addWrenchesAndRates(const Bodies& at, std::vector<Wrench>& wrenches,

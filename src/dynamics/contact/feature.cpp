@@ -69,6 +69,13 @@ std::vector<Feature> featuresOf(const ContactShape& shape, const std::string& bo
   return features;
 }
 
+Feature moved(Feature feature, const Isometry3d& X_NP) {
+  feature.center_P = X_NP * feature.center_P;
+  feature.axis_P = X_NP.linear() * feature.axis_P;
+  feature.q_PE = (Quaterniond(X_NP.linear()) * feature.q_PE).normalized();
+  return feature;
+}
+
 PlanePoints planePoints(const Feature& feature, const Quaterniond& q_WP, const Vector3d& n_W) {
   const Vector3d c = rotate(q_WP, feature.center_P);
   PlanePoints points;

@@ -31,6 +31,9 @@ struct Feature {
 /// that breaks a rule, with `body` in the message.
 std::vector<Feature> featuresOf(const ContactShape& shape, const std::string& body);
 
+/// The same feature in another frame N of the body.
+Feature moved(Feature feature, const Isometry3d& X_NP);
+
 /// Where a feature touches a plane: its deepest point; of a rim the lowest, the two beside, and the
 /// highest.
 struct PlanePoints {

@@ -30,6 +30,10 @@ class Patch {
 
   const Feature& feature() const { return feature_; }
 
+  /// The same feature, in a principal frame that has moved in the body. The lever of rolling
+  /// friction stays.
+  void setFeature(const Feature& feature) { feature_ = feature; }
+
   /// Modes. Bit j: point j touches; 4 + j: it would pull; then: the bristles slip.
   enum Mode : unsigned { kTouches = 1, kClips = 16, kSlips = 256, kSpins = 512, kRolls = 1024 };
   static unsigned modeOf(const double* own) { return static_cast<unsigned>(own[kMode]); }

@@ -26,6 +26,20 @@ std::shared_ptr<const ForceLaw> PlaneContact::reindexed(
   return copy;
 }
 
+/// Bristles are as stiff as for the mass with which the law was made: a stretch in them keeps its
+/// force.
+std::shared_ptr<const ForceLaw> PlaneContact::reframed(std::size_t /*body*/, const Body& before,
+                                                       const Body& after) const {
+  const Isometry3d X_NP = frameBefore(before, after);
+  auto copy = std::make_shared<PlaneContact>(*this);
+  copy->reach_ = 0;
+  for (Patch& patch : copy->patches_) {
+    patch.setFeature(moved(patch.feature(), X_NP));
+    copy->reach_ = std::max(copy->reach_, patch.feature().reach());
+  }
+  return copy;
+}
+
 void PlaneContact::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
   const Patch::Pose pose = poseOf(at);
   const double* own = at.own;

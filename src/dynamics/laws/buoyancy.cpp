@@ -9,6 +9,14 @@ std::shared_ptr<const ForceLaw> Buoyancy::reindexed(
   return std::make_shared<Buoyancy>(index(body_), displaced_, centroid_P_, g_W_);
 }
 
+/// The volume stays where it is in the body.
+std::shared_ptr<const ForceLaw> Buoyancy::reframed(std::size_t /*body*/, const Body& before,
+                                                   const Body& after) const {
+  auto copy = std::make_shared<Buoyancy>(*this);
+  copy->centroid_P_ = frameBefore(before, after) * centroid_P_;
+  return copy;
+}
+
 void Buoyancy::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
   const Vector3d f_W = -displaced_ * g_W_;
   Wrench& wrench = wrenches[body_];

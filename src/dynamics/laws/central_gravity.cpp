@@ -9,6 +9,12 @@ std::shared_ptr<const ForceLaw> CentralGravity::reindexed(
   return std::make_shared<CentralGravity>(index(body_), gravity_.center_W, gravity_.mu, gradient_);
 }
 
+std::shared_ptr<const ForceLaw> CentralGravity::reframed(std::size_t /*body*/,
+                                                         const Body& /*before*/,
+                                                         const Body& /*after*/) const {
+  return std::make_shared<CentralGravity>(*this);
+}
+
 Vector3d CentralGravity::radius(const BodyState& state) const {
   return (state.x_W - gravity_.center_W) + state.x_low_W;
 }

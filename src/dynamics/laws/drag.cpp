@@ -58,6 +58,12 @@ std::shared_ptr<const ForceLaw> Drag::reindexed(
   return std::make_shared<Drag>(index(body_), coefficients_);
 }
 
+/// It acts at the centre of mass, wherever that is.
+std::shared_ptr<const ForceLaw> Drag::reframed(std::size_t /*body*/, const Body& /*before*/,
+                                               const Body& /*after*/) const {
+  return std::make_shared<Drag>(*this);
+}
+
 void Drag::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
   const Body& body = *at.bodies[body_];
   const BodyState& state = at.states[body_];

@@ -24,6 +24,12 @@ LineEnds reindexedEnds(LineEnds ends, const std::function<std::size_t(std::size_
   return ends;
 }
 
+LineEnds reframedEnds(LineEnds ends, std::size_t body, const Isometry3d& X_NP) {
+  for (Spring::End& end : ends)
+    if (end.body == body) end.point = X_NP * end.point;
+  return ends;
+}
+
 double reachOf(const LineEnds& ends, const ForceLaw::Bodies& at) {
   double reach = gapBetween(ends, at).norm();
   for (const Spring::End& end : ends)

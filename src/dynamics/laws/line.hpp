@@ -71,6 +71,9 @@ std::vector<std::size_t> membersOf(const LineEnds& ends);
 /// The ends where the body of index i has index index(i).
 LineEnds reindexedEnds(LineEnds ends, const std::function<std::size_t(std::size_t)>& index);
 
+/// The ends where what is fixed to a body is given in another frame N of it.
+LineEnds reframedEnds(LineEnds ends, std::size_t body, const Isometry3d& X_NP);
+
 /// [m] The length of the line, and those of the arms of its ends; see ForceLaw::reach.
 double reachOf(const LineEnds& ends, const ForceLaw::Bodies& at);
 

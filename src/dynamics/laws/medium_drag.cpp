@@ -36,6 +36,17 @@ std::shared_ptr<const ForceLaw> MediumDrag::reindexed(
   return std::make_shared<MediumDrag>(index(body_), coefficients_, medium_W_);
 }
 
+/// A centre that is the centre of mass stays that.
+std::shared_ptr<const ForceLaw> MediumDrag::reframed(std::size_t /*body*/, const Body& before,
+                                                     const Body& after) const {
+  const Isometry3d X_NP = frameBefore(before, after);
+  auto copy = std::make_shared<MediumDrag>(*this);
+  Coefficients& c = copy->coefficients_;
+  c.center_P = c.center_P == before.com_P ? after.com_P : Vector3d(X_NP * c.center_P);
+  c.R_PD = X_NP.linear() * c.R_PD;
+  return copy;
+}
+
 /// u in principal axes.
 Vector3d MediumDrag::throughMedium(const Bodies& at) const {
   const Body& body = *at.bodies[body_];

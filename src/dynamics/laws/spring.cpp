@@ -21,6 +21,13 @@ std::shared_ptr<const ForceLaw> Spring::reindexed(
   return copy;
 }
 
+std::shared_ptr<const ForceLaw> Spring::reframed(std::size_t body, const Body& before,
+                                                 const Body& after) const {
+  auto copy = std::make_shared<Spring>(*this);
+  copy->ends_ = reframedEnds(ends_, body, frameBefore(before, after));
+  return copy;
+}
+
 void Spring::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
   const Line line = lineBetween(ends_, at, constants_.damping > 0);
   addTension(ends_, line, tensionOf(constants_, line), at, wrenches);

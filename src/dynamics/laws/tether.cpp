@@ -25,6 +25,13 @@ std::shared_ptr<const ForceLaw> Tether::reindexed(
   return copy;
 }
 
+std::shared_ptr<const ForceLaw> Tether::reframed(std::size_t body, const Body& before,
+                                                 const Body& after) const {
+  auto copy = std::make_shared<Tether>(*this);
+  copy->ends_ = reframedEnds(ends_, body, frameBefore(before, after));
+  return copy;
+}
+
 // Within a step that an event will end, the pull may fall below zero while the mode is still taut:
 // it is not cut off there, so that the integrator sees a smooth force.
 void Tether::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {

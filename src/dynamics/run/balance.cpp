@@ -14,6 +14,13 @@ void Balance::endStep() {
   angular_impulse_.add(step.angular_momentum);
 }
 
+void Balance::addChange(const Totals& before, const Totals& after, bool with_momenta) {
+  work_.add(after.energy - before.energy);
+  if (!with_momenta) return;
+  impulse_.add(after.momentum - before.momentum);
+  angular_impulse_.add(after.angular_momentum - before.angular_momentum);
+}
+
 Totals Balance::exchanged() const {
   return {work_.value(), impulse_.value(), angular_impulse_.value()};
 }

@@ -17,6 +17,10 @@ class Balance {
   /// Books what the meter has seen, once the step is done.
   void endStep();
 
+  /// Books what bodies have more once their mass properties have been set. Their momenta are kept
+  /// and not booked, but where a pivot takes up the change.
+  void addChange(const Totals& before, const Totals& after, bool with_momenta);
+
   /// Work [J], impulse and angular impulse since the start.
   Totals exchanged() const;
 

@@ -74,6 +74,8 @@ void checkBody(const World& world, std::size_t body) {
   checkIndex(world, body);
   require(!world.bodies[body].fixed, "body '", world.bodies[body].name,
           "' is fixed, nothing can move it");
+  require(!world.bodies[body].absent, "body '", world.bodies[body].name,
+          "' is absent, nothing acts on it until it comes in");
 }
 
 void checkWorld(const World& world) {
@@ -131,6 +133,9 @@ void checkWrench(const World& world, const PointWrench& wrench) {
   for (std::size_t frame : {wrench.axes, wrench.point_frame})
     require(frame >= kOwnBody || !world.bodies[frame].fixed, "wrench on body '", body,
             "': axes and point of a fixed body must be given in the world");
+  for (std::size_t frame : {wrench.axes, wrench.point_frame})
+    require(frame >= kOwnBody || !world.bodies[frame].absent, "wrench on body '", body,
+            "': axes and point must not be those of a body that is absent");
   require(wrench.force.allFinite() && wrench.torque.allFinite() && wrench.point.allFinite(),
           "wrench on body '", body, "': force, torque and point must be finite");
   require(!std::isnan(wrench.start) && !std::isnan(wrench.end), "wrench on body '", body,

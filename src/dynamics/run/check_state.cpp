@@ -73,7 +73,7 @@ void checkPlans(const World& world, const State& state) {
       }
   }
   for (std::size_t i = 0; i < world.bodies.size() && !state.plans.empty(); ++i)
-    require(times[i] == (world.bodies[i].fixed ? 0 : 1), "body '", world.bodies[i].name,
+    require(times[i] == (moves(world.bodies[i]) ? 1 : 0), "body '", world.bodies[i].name,
             "': it must have one plan");
   for (std::size_t law : state.near_laws)
     require(law < world.laws.size(), "no law has the index ", law);
@@ -83,7 +83,7 @@ void checkAnchors(const World& world, const State& state) {
   require(state.anchors.empty() || state.anchors.size() == world.bodies.size(),
           "a state must have an anchor for each body, or none");
   for (std::size_t i = 0; i < state.anchors.size(); ++i) {
-    if (world.bodies[i].fixed) continue;
+    if (!moves(world.bodies[i])) continue;
     const MotionAnchor& anchor = state.anchors[i];
     require(anchor.t <= state.t && !std::isnan(anchor.horizon), "body '", world.bodies[i].name,
             "': its anchor must not be of the future");
@@ -115,7 +115,7 @@ void checkState(const World& world, const State& state) {
   checkAnchors(world, state);
   checkPlans(world, state);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    if (!world.bodies[i].fixed) checkBodyState(world, i, state.bodies[i]);
+    if (moves(world.bodies[i])) checkBodyState(world, i, state.bodies[i]);
 }
 
 }  // namespace rigid_body_sim

@@ -126,7 +126,7 @@ void addWaiting(const World& world, const LawTable& laws, const std::vector<doub
 std::vector<std::size_t> movingBodies(const World& world) {
   std::vector<std::size_t> moving;
   for (std::size_t body = 0; body < world.bodies.size(); ++body)
-    if (!world.bodies[body].fixed) moving.push_back(body);
+    if (moves(world.bodies[body])) moving.push_back(body);
   return moving;
 }
 

@@ -9,6 +9,7 @@
 #include "dynamics/methods/pivots.hpp"
 #include "dynamics/rotation/free_top.hpp"
 #include "dynamics/run/contact_bound.hpp"
+#include "dynamics/world_changes.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -37,6 +38,7 @@ bool leaveFree(const World& world, const Body& body, const std::vector<PointWren
 std::vector<std::vector<std::string>> lawNames(const World& world) {
   std::vector<std::vector<std::string>> names(world.bodies.size());
   for (const auto& law : world.laws) {
+    if (rests(*law, world)) continue;
     for (std::size_t body : law->members()) {
       std::vector<std::string>& of_body = names[body];
       if (std::find(of_body.begin(), of_body.end(), law->name()) == of_body.end())
@@ -158,7 +160,8 @@ std::vector<std::string> describeSolution(const Simulation& simulation) {
   std::set<std::size_t> in_medium;
   for (const auto& law : world.laws)
     if (law->isOfMedium()) in_medium.insert(law->members().front());
-  std::vector<std::string> texts(world.bodies.size(), "fixed"), shortfalls;
+  std::vector<std::string> texts, shortfalls;
+  for (const Body& body : world.bodies) texts.push_back(body.absent ? "absent" : "fixed");
   for (const MotionPlan& plan : simulation.plans()) {
     for (std::size_t i : plan.bodies)
       texts[i] =

@@ -1,6 +1,7 @@
 #include "dynamics/run/grouping.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,10 +13,10 @@ namespace {
 
 /// Throws std::invalid_argument unless each law that acts, and none that does not, belongs to a
 /// group.
-void requireLawsIn(const std::vector<MotionPlan>& plans, const RunState& run) {
+void requireLawsIn(const Groups& groups, const RunState& run) {
   std::vector<std::size_t> times(run.world->laws.size());
-  for (const MotionPlan& plan : plans)
-    for (std::size_t law : plan.laws) ++times[law];
+  for (const Group& group : groups.all())
+    for (std::size_t law : group.bodies().laws) ++times[law];
   for (std::size_t law = 0; law < times.size(); ++law)
     if (times[law] != (run.acts(law) ? 1 : 0))
       throw std::invalid_argument("law " + std::to_string(law) + " (" +
@@ -68,9 +69,10 @@ void Grouping::form(RunState& run, const State& start, bool scheduled) {
   findNextLink(run);
 }
 
-/// As the run had them that the state is from.
+/// As the run had them that the state is from. Bodies without a plan are linked by what acts now.
 void Grouping::restore(RunState& run, const State& start) {
-  requireLawsIn(start.plans, run);
+  std::set<std::size_t> unplanned;
+  for (std::size_t body : movingBodies(*run.world)) unplanned.insert(body);
   for (const MotionPlan& plan : start.plans) {
     const CoupledBodies bodies{plan.bodies, plan.laws, plan.waiting_laws};
     const MethodChoice choice = planner_.asPlanned(*run.world, bodies, run.schedules, plan);
@@ -79,7 +81,15 @@ void Grouping::restore(RunState& run, const State& start) {
     if (choice.method && plan.at_rest) group.restAsBefore();
     if (!choice.method && anchor.horizon > anchor.t) group.anchor(anchor);
     run.groups.add(std::move(group), run.schedules);
+    for (std::size_t body : plan.bodies) unplanned.erase(body);
   }
+  for (const CoupledBodies& bodies :
+       coupledBodies(*run.world, run.laws, run.law_states, run.schedules,
+                     {unplanned.begin(), unplanned.end()}))
+    run.groups.add(
+        formedGroup(run, bodies, start, planner_.later(*run.world, bodies, run.schedules)),
+        run.schedules);
+  requireLawsIn(run.groups, run);
 }
 
 void Grouping::formAnew(RunState& run, const State& start, bool scheduled) {

@@ -26,7 +26,7 @@ std::vector<std::size_t> Groups::indicesOf(const World& world,
                                            const std::vector<std::size_t>& bodies) const {
   std::set<std::size_t> groups;
   for (std::size_t body : bodies)
-    if (!world.bodies[body].fixed) groups.insert(group_of_[body]);
+    if (moves(world.bodies[body])) groups.insert(group_of_[body]);
   return {groups.begin(), groups.end()};
 }
 

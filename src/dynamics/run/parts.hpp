@@ -11,7 +11,7 @@ namespace rigid_body_sim {
 
 /// A run and what follows it where it is asked for.
 struct Simulation::Parts {
-  explicit Parts(Run started) : run(std::move(started)) { count(); }
+  explicit Parts(Run started) : run(std::move(started)), first_world(run.now().world) { count(); }
 
   /// To actuators of all bodies.
   std::size_t commandsToCome() const {
@@ -42,6 +42,7 @@ struct Simulation::Parts {
   }
 
   Run run;
+  std::shared_ptr<const World> first_world;  ///< stays: others may have kept references to it
   std::optional<Balance> balance;
   std::optional<ErrorTracker> error;
   std::size_t wrenches_at_most = 0;  ///< not less than wrenchCount()

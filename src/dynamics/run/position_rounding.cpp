@@ -13,7 +13,7 @@ std::vector<double> positionRounding(const World& world, const std::vector<BodyS
   std::vector<double> rounding;
   for (const Body& body : world.bodies) {
     bodies.push_back(&body);
-    rounding.push_back(body.fixed ? 0 : kFactor * radiusOfGyration(body));
+    rounding.push_back(!moves(body) ? 0 : kFactor * radiusOfGyration(body));
   }
   const LawTable table(world);
   const std::vector<double> own = law_states.empty() ? table.start(world) : law_states;

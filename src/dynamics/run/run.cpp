@@ -41,6 +41,16 @@ Run Run::atTwiceTheStep() const {
   return coarse;
 }
 
+/// Makes anew what goes by the bodies of the world, where these are to be others.
+void Run::enter(const std::vector<BodyChange>& changes) {
+  if (changes == now_.changes) return;
+  now_.world = std::make_shared<const World>(withChanges(*now_.world, changes));
+  now_.changes = changes;
+  now_.laws = LawTable(*now_.world);
+  grouping_ = Grouping(now_);
+  motors_ = RunMotors(*now_.world, *now_.start);
+}
+
 /// Begins at a state. scheduled: with the wrenches and commands of the scene that act or are to
 /// come, where the state does not say which those are.
 void Run::place(const State& start, bool scheduled) {
@@ -165,6 +175,7 @@ void Run::setState(std::size_t body, const BodyState& state) {
 }
 
 void Run::reset(bool restart_time) {
+  enter(now_.start->changes);
   if (restart_time) return place(*now_.start, true);
   State start = *now_.start;
   start.t = now_.time;
@@ -182,12 +193,25 @@ void Run::reset(bool restart_time) {
 }
 
 void Run::load(const State& state) {
-  const World& world = *now_.world;
   Run loaded = *this;
+  loaded.enter(state.changes);
+  const World& world = *loaded.now_.world;
+  const RunMotors motors = loaded.motors_;
   loaded.motors_ = RunMotors(world, state);
   loaded.place(*RunMotors::complete(world, std::make_shared<const State>(state)), true);
-  loaded.motors_ = motors_;
+  loaded.motors_ = motors;
   *this = std::move(loaded);
+}
+
+/// Goes on at a state of a run in a changed world; what has been counted and reported stays. Throws
+/// std::invalid_argument, and leaves all as it was, where that run cannot be placed there.
+void Run::goOnAs(Run& changed, const State& state) {
+  changed.place(state, true);
+  const Groups& before = now_.groups;
+  changed.now_.groups.setCounts(
+      {before.maxSubsteps(), before.magnification(), before.evaluations()});
+  changed.contacts_ = contacts_;
+  *this = std::move(changed);
 }
 
 /// Begins anew from the present, what acts on a body or its state being another from now on.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,7 @@ class Run {
 
   BodyState body(std::size_t body) const {
     if (now_.packs.holds(body)) return now_.packs.state(body);
-    if (now_.world->bodies[body].fixed) return now_.start->bodies[body];
+    if (!moves(now_.world->bodies[body])) return now_.start->bodies[body];
     return now_.groups.at(body, now_.time);
   }
   void readBodies(std::vector<BodyState>& states) const;
@@ -77,6 +78,13 @@ class Run {
   /// Sets the velocity of the medium; bodies that it does not touch keep their bits.
   void setWind(const Vector3d& velocity_W);
 
+  /// See Simulation::setMassProperties. Throws std::invalid_argument, and leaves all as it was, for
+  /// properties that break a rule.
+  void setMassProperties(std::size_t body, const MassProperties& properties_B);
+
+  /// See Simulation::setPresent. state: with which the body comes in; none: it leaves.
+  void setPresent(std::size_t body, const std::optional<BodyState>& state);
+
   /// Back to the start; see ResetInput.
   void reset(bool restart_time);
 
@@ -85,7 +93,9 @@ class Run {
   void load(const State& state);
 
  private:
+  void enter(const std::vector<BodyChange>& changes);
   void place(const State& start, bool scheduled);
+  void goOnAs(Run& changed, const State& state);
   void advance(ExchangeMeter* meter);
   void accept(double t_end);
   void takeBack();

@@ -39,27 +39,48 @@ void RunContacts::place(std::int64_t steps) {
 
 void RunContacts::start(RunState& run, const std::vector<std::size_t>& laws,
                         const std::vector<BodyState>& bodies) {
+  for (std::size_t law : laws)
+    run.world->laws[law]->setStart(run.law_states.data() + run.laws.firstState(law));
+  switchModes(run, laws, bodies);
+}
+
+void RunContacts::switchModes(RunState& run, const std::vector<std::size_t>& laws,
+                              const std::vector<BodyState>& bodies) {
   if (last_.steps != run.steps) beginStep(run.steps);
   for (std::size_t law : laws) {
     const std::size_t first = run.laws.firstState(law);
-    double* own = run.law_states.data() + first;
-    run.world->laws[law]->setStart(own);
     const LawWatch watch(*run.world, law, first);
     watch.switchModes(
-        run.time, own, [&bodies](std::size_t body, double) { return bodies[body]; }, last_.events);
+        run.time, run.law_states.data() + first,
+        [&bodies](std::size_t body, double) { return bodies[body]; }, last_.events);
   }
 }
 
 void RunContacts::restart(RunState& run, Grouping& grouping, std::size_t body) {
-  const std::vector<std::size_t> contacts = startingAnew(run, grouping, body);
-  if (contacts.empty()) return;
+  regroup(run, grouping, body, startingAnew(run, grouping, body), true);
+}
+
+void RunContacts::follow(RunState& run, Grouping& grouping, std::size_t body) {
+  std::vector<std::size_t> laws;
+  for (std::size_t law : run.laws.of(body))
+    if (run.world->laws[law]->isOneSided()) laws.push_back(law);
+  regroup(run, grouping, body, laws, false);
+}
+
+/// Forms the groups anew of bodies whose laws change. anew: whether these laws start anew.
+void RunContacts::regroup(RunState& run, Grouping& grouping, std::size_t body,
+                          const std::vector<std::size_t>& laws, bool anew) {
+  if (laws.empty()) return;
   run.law_states = run.lawStates();
   const std::vector<double> before = run.law_states;
   std::vector<BodyState> bodies;
   for (std::size_t i = 0; i < run.world->bodies.size(); ++i) bodies.push_back(run.at(i, run.time));
-  start(run, contacts, bodies);
+  if (anew)
+    start(run, laws, bodies);
+  else
+    switchModes(run, laws, bodies);
   std::vector<std::size_t> members{body};
-  for (std::size_t law : contacts) {
+  for (std::size_t law : laws) {
     const std::size_t first = run.laws.firstState(law);
     const auto own = run.law_states.begin() + static_cast<std::ptrdiff_t>(first);
     const bool is_same =

@@ -29,7 +29,16 @@ class RunContacts {
   /// that it neither touched nor touches go on as they are.
   void restart(RunState& run, Grouping& grouping, std::size_t body);
 
+  /// For a body that stays in place and moves differently from now on: its contacts keep their
+  /// states, and switch to the modes that go with the motion.
+  void follow(RunState& run, Grouping& grouping, std::size_t body);
+
  private:
+  void switchModes(RunState& run, const std::vector<std::size_t>& laws,
+                   const std::vector<BodyState>& bodies);
+  void regroup(RunState& run, Grouping& grouping, std::size_t body,
+               const std::vector<std::size_t>& laws, bool anew);
+
   struct StepEvents {
     std::vector<ContactEvent> events;
     std::int64_t steps = 0;

@@ -14,6 +14,7 @@ void Run::setWind(const Vector3d& velocity_W) {
     const ForceLaw& law = *now_.world->laws[i];
     if (!law.setMedium(velocity_W, now_.law_states.data() + now_.laws.firstState(i))) continue;
     for (std::size_t body : law.members()) {
+      if (!moves(now_.world->bodies[body])) continue;
       grouping_.disturb(now_, body);
       restartGroup(body);
       bodies.push_back(body);

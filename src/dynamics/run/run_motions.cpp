@@ -39,7 +39,7 @@ std::vector<BodyMotion> Run::motions(const std::vector<std::size_t>& bodies, dou
   std::vector<BodyMotion> motions;
   motions.reserve(bodies.size());
   for (const std::size_t body : bodies) {
-    if (now_.world->bodies[body].fixed) {
+    if (!moves(now_.world->bodies[body])) {
       motions.push_back(motionOfFixed(now_, body));
       continue;
     }

@@ -33,6 +33,7 @@ void Run::readBodies(std::vector<BodyState>& states) const {
 State Run::state() const {
   State state;
   state.t = now_.time;
+  state.changes = now_.changes;
   state.laws = now_.lawStates();
   state.actuators = motors_.states(now_.schedules);
   state.schedules = scheduleEntries();
@@ -64,6 +65,7 @@ State Run::sample(double t) const {
     return sampled;
   }
   sampled.t = t;
+  sampled.changes = now_.changes;
   sampled.laws = now_.lawStates();
   sampled.bodies = now_.start->bodies;
   std::vector<WrenchSchedule> schedules;

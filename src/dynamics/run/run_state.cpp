@@ -53,7 +53,7 @@ void RunState::advance(Group& group, double t_end, std::vector<WrenchSchedule>& 
 }
 
 BodyState RunState::at(std::size_t body, double t) const {
-  if (world->bodies[body].fixed) return start->bodies[body];
+  if (!moves(world->bodies[body])) return start->bodies[body];
   const std::size_t g = groups.indexOf(body);
   if (packs.holds(body)) {
     if (t <= time) return packs.state(body);

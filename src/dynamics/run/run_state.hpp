@@ -11,7 +11,7 @@ namespace rigid_body_sim {
 /// Where a run is: what acts on the bodies now, and the groups in which they are advanced.
 struct RunState {
   RunState(std::shared_ptr<const World> of, std::shared_ptr<const State> from)
-      : world(std::move(of)), start(std::move(from)), laws(*world) {}
+      : world(std::move(of)), start(std::move(from)), changes(start->changes), laws(*world) {}
 
   /// The state of a body at a time [s] between the present of its group and the next step.
   BodyState at(std::size_t body, double t) const;
@@ -58,8 +58,9 @@ struct RunState {
   void advance(Group& group, double t_end, std::vector<WrenchSchedule>& group_schedules,
                ExchangeMeter* meter) const;
 
-  std::shared_ptr<const World> world;
+  std::shared_ptr<const World> world;  ///< with the changes
   std::shared_ptr<const State> start;  ///< of the run; fixed bodies stay there
+  std::vector<BodyChange> changes;     ///< of the world, as State has them
   LawTable laws;
   std::int64_t steps = 0;
   double time = 0;                        ///< [s] steps × time_step

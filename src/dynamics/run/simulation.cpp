@@ -6,6 +6,7 @@
 #include "dynamics/run/check_input.hpp"
 #include "dynamics/run/contact_trial.hpp"
 #include "dynamics/run/parts.hpp"
+#include "dynamics/world_changes.hpp"
 #include "math/shortest.hpp"
 
 namespace rigid_body_sim {
@@ -17,7 +18,9 @@ std::string divergedMessage(double time, const std::string& body, const std::str
 
 /// World and state, checked.
 Run start(World world, State state) {
-  checkWorld(world);
+  world = withoutChanges(std::move(world));
+  checkWorld(world);  // also what rests while a body is absent
+  world = withChanges(std::move(world), state.changes);
   checkState(world, state);
   Run run(std::make_shared<const World>(std::move(world)),
           std::make_shared<const State>(std::move(state)));
@@ -91,6 +94,13 @@ void Simulation::apply(const SimulationInput& input) {
     this->load(load->state);
   } else if (const auto* wind = std::get_if<WindInput>(&input)) {
     setWind(wind->velocity_W);
+  } else if (const auto* mass = std::get_if<MassInput>(&input)) {
+    setMassProperties(mass->body, mass->properties_B);
+  } else if (const auto* presence = std::get_if<PresenceInput>(&input)) {
+    checkIndex(world(), presence->body);
+    std::optional<BodyState> entering;
+    if (presence->motion) entering = toBodyState(world().bodies[presence->body], *presence->motion);
+    setPresent(presence->body, entering);
   } else {
     reset(std::get<ResetInput>(input).restart_time);
   }
@@ -147,7 +157,10 @@ void Simulation::reset(bool restart_time) {
 }
 
 void Simulation::load(const State& state) {
-  checkState(world(), state);
+  if (state.changes == parts_->run.now().changes)
+    checkState(world(), state);
+  else
+    checkState(withChanges(world(), state.changes), state);
   parts_->run.load(state);
   parts_->begin();
 }

@@ -5,6 +5,7 @@
 #include <rigid_body_sim/scene/scene_error.hpp>
 #include <rigid_body_sim/scene/state_file.hpp>
 
+#include "ros/inputs/mass_service.hpp"
 #include "ros/inputs/state_requests.hpp"
 #include "ros/messages/body_index.hpp"
 #include "ros/messages/conversions.hpp"
@@ -92,6 +93,25 @@ Input messageOf(const WindInput& input, const World&, const std::string& world_f
   return message;
 }
 
+Input messageOf(const MassInput& input, const World& world, const std::string&) {
+  Input message;
+  message.kind = Input::MASS;
+  message.body = world.bodies[input.body].name;
+  message.inertia = toInertia(input.properties_B);
+  return message;
+}
+
+Input messageOf(const PresenceInput& input, const World& world, const std::string& world_frame) {
+  Input message;
+  message.kind = Input::LEAVE;
+  if (input.motion) {
+    message = messageOf(StateInput{input.body, *input.motion}, world, world_frame);
+    message.kind = Input::ENTER;
+  }
+  message.body = world.bodies[input.body].name;
+  return message;
+}
+
 WrenchInput wrenchOf(const Input& message, const World& world) {
   PointWrench wrench;
   wrench.body = bodyNamed(message.body, world.bodies);
@@ -119,6 +139,13 @@ StateInput stateOf(const Input& message, const World& world, const std::string& 
   request.pose = message.pose;
   request.twist = message.twist;
   return takeState(request, world, world_frame);
+}
+
+MassInput massOf(const Input& message, const World& world) {
+  SetMassProperties::Request request;
+  request.body = message.body;
+  request.inertia = message.inertia;
+  return takeMassProperties(request, world);
 }
 
 CommandInput commandOf(const Input& message, const World& world) {
@@ -163,6 +190,14 @@ SimulationInput toInput(const Input& message, const World& world, const std::str
       return loadOf(message, world);
     case Input::WIND:
       return WindInput{fromVector3(message.twist.linear)};
+    case Input::MASS:
+      return massOf(message, world);
+    case Input::ENTER: {
+      const StateInput state = stateOf(message, world, world_frame);
+      return PresenceInput{state.body, state.motion};
+    }
+    case Input::LEAVE:
+      return PresenceInput{bodyNamed(message.body, world.bodies), std::nullopt};
     default:
       throw std::invalid_argument("unknown kind of input " + std::to_string(message.kind));
   }

@@ -66,8 +66,9 @@ auto naming(std::size_t number, const Function& function) {
 }
 
 bool movesBodies(const SimulationInput& input) {
-  return std::holds_alternative<StateInput>(input) || std::holds_alternative<ResetInput>(input) ||
-         std::holds_alternative<LoadInput>(input);
+  return std::holds_alternative<StateInput>(input) ||
+         std::holds_alternative<PresenceInput>(input) ||
+         std::holds_alternative<ResetInput>(input) || std::holds_alternative<LoadInput>(input);
 }
 
 }  // namespace

@@ -81,6 +81,7 @@ GetState::Response reportState(const GetState::Request& request, const World& wo
   const std::size_t i = bodyNamed(request.body, world.bodies);
   const bool in_body_axes = isInBodyAxes(request.frame, request.body, world, world_frame);
   const Body& body = world.bodies[i];
+  if (body.absent) throw std::invalid_argument("body '" + request.body + "' is absent");
   const BodyFrameMotion motion = toBodyFrameMotion(body, state.bodies[i]);
   GetState::Response response;
   response.success = true;

@@ -30,13 +30,20 @@ void requireDuration(double duration, const std::string& id) {
   throw std::invalid_argument(fault.str());
 }
 
+std::vector<Isometry3d> principalFrames(const std::vector<Body>& bodies) {
+  std::vector<Isometry3d> X_BP;
+  for (const Body& body : bodies) X_BP.push_back(body.X_BP);
+  return X_BP;
+}
+
 }  // namespace
 
 std::string slotOfId(const std::string& id) { return id.empty() ? "" : "id " + id; }
 
 WrenchIntake::WrenchIntake(const Scene& scene, const std::vector<Body>& bodies,
                            double wrench_timeout, const std::string& tf_prefix)
-    : bodies_(bodies),
+    : bodies_(&bodies),
+      X_BP_(principalFrames(bodies)),
       world_frame_(scene.world_frame),
       wrench_timeout_(wrench_timeout),
       frames_(scene, bodies) {
@@ -50,6 +57,15 @@ WrenchIntake::WrenchIntake(const Scene& scene, const std::vector<Body>& bodies,
     for (const PointDef& point : body.points)
       addName(frames.of(i, point.name), body.name + "/" + point.name);
   }
+}
+
+void WrenchIntake::setBodies(const std::vector<Body>& bodies) {
+  if (&bodies == bodies_) return;
+  bodies_ = &bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (X_BP_[i].matrix() != bodies[i].X_BP.matrix())
+      frames_.reframe(i, bodies[i].X_BP.inverse() * X_BP_[i]);
+  X_BP_ = principalFrames(bodies);
 }
 
 WrenchInput WrenchIntake::take(const std::string& body, const geometry_msgs::WrenchStamped& message,
@@ -68,7 +84,7 @@ WrenchInput WrenchIntake::take(const std::string& body, const geometry_msgs::Wre
   if (frame == world_frame_) {
     input.wrench = resolved(wrench);
     // exactly, where the way through the body frame would leave a lever of rounding
-    input.wrench.point = bodies_[input.wrench.body].com_P;
+    input.wrench.point = (*bodies_)[input.wrench.body].com_P;
     return input;
   }
   requireFixedToBody(wrench);
@@ -105,7 +121,7 @@ std::vector<WrenchInput> WrenchIntake::take(const std::vector<AppliedWrench>& me
 }
 
 PointWrench WrenchIntake::resolved(const WrenchDef& wrench) const {
-  const ResolvedWrench resolved = resolveWrench(wrench, bodies_, frames_);
+  const ResolvedWrench resolved = resolveWrench(wrench, *bodies_, frames_);
   if (!resolved.fault.empty()) throw std::invalid_argument(resolved.fault);
   return resolved.wrench;
 }

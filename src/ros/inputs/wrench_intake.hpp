@@ -38,14 +38,17 @@ std::string slotOfId(const std::string& id);
 class WrenchIntake {
  public:
   /// wrench_timeout [s]: after its start, a wrench of duration 0 ends; 0: never. The bodies, those
-  /// of the scene's world, are referred to, not copied.
+  /// of the scene's world, are referred to, not copied, until others are set.
   /// Messages may name the frames of tf_prefix (TfFrames) and those of the scene.
   WrenchIntake(const Scene& scene, const std::vector<Body>& bodies, double wrench_timeout,
                const std::string& tf_prefix = "");
 
   /// Takes in the frames of a body of the world; gives them back.
-  void add(const BodyDef& def, std::size_t body) { frames_.add(def, bodies_[body], body); }
+  void add(const BodyDef& def, std::size_t body) { frames_.add(def, (*bodies_)[body], body); }
   void remove(const std::string& body) { frames_.remove(body); }
+
+  /// The bodies of the world as it is now; where nothing has changed, this costs nothing.
+  void setBodies(const std::vector<Body>& bodies);
 
   /// Frames that others hang on those of the scene; each is looked up when first named.
   void addStatic(const tf2_msgs::TFMessage& frames) { static_frames_.add(frames); }
@@ -68,7 +71,8 @@ class WrenchIntake {
   void requireFixedToBody(const WrenchDef& wrench) const;
   double heldFor() const;
 
-  const std::vector<Body>& bodies_;
+  const std::vector<Body>* bodies_;
+  std::vector<Isometry3d> X_BP_;  // of the bodies, with which the frames go
   std::string world_frame_;
   double wrench_timeout_;
   FrameTable frames_;

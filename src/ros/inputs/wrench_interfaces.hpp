@@ -33,6 +33,10 @@ class WrenchInterfaces {
   void add(const BodyDef& def, std::size_t body);
   void remove(const std::string& body);
 
+  /// To be called after every input: it may have changed mass properties, and principal frames with
+  /// them.
+  void followBodies() { intake_.setBodies(context_.simulation.world().bodies); }
+
  private:
   using BodyWrench = geometry_msgs::WrenchStamped;
 

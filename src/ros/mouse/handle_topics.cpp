@@ -47,6 +47,18 @@ void HandleTopics::remove(const std::string& handle) {
   publishChange(std::move(update));
 }
 
+void HandleTopics::show(const std::string& handle, bool shown) {
+  const auto now = handles_.find(handle);
+  if (!shown && now != handles_.end()) {
+    hidden_[handle] = now->second;
+    return remove(handle);
+  }
+  const auto hidden = hidden_.find(handle);
+  if (!shown || hidden == hidden_.end()) return;
+  add(hidden->second);
+  hidden_.erase(hidden);
+}
+
 /// Tells the viewers that are there, and those to come.
 void HandleTopics::publishChange(InteractiveMarkerUpdate update) {
   update.server_id = ros::this_node::getName();

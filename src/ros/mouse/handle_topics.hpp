@@ -34,6 +34,9 @@ class HandleTopics {
   void add(const visualization_msgs::InteractiveMarker& handle);
   void remove(const std::string& handle);
 
+  /// Takes a handle back, or offers it anew, where that is not so already.
+  void show(const std::string& handle, bool shown);
+
   /// Sends a keep-alive twice a second: without, a viewer neither starts nor goes on.
   void keepAlive(Clock::time_point now);
 
@@ -43,6 +46,7 @@ class HandleTopics {
   void putBack(const std::string& handle);
 
   std::map<std::string, visualization_msgs::InteractiveMarker> handles_;  // by name
+  std::map<std::string, visualization_msgs::InteractiveMarker> hidden_;
   std::uint64_t changes_ = 0;
   Clock::time_point next_keep_alive_;
   ros::Publisher all_;

@@ -45,6 +45,7 @@ std::string Mouse::take(const Feedback& feedback) {
   const auto found = moving_bodies_.find(name);
   if (found == moving_bodies_.end()) return "unknown handle '" + printable(name) + "'";
   const std::size_t body = found->second;
+  if (simulation_.world().bodies[body].absent) return "body '" + name + "' is absent";
   const std::string& frame = tf_frames_.empty() ? name : tf_frames_[body];
   if (feedback.header.frame_id != frame)
     return "feedback on handle '" + name + "' must be in frame '" + frame + "', got '" +
@@ -125,6 +126,11 @@ void Mouse::follow(const SimulationInput& input) {
       std::holds_alternative<ResetInput>(input) || std::holds_alternative<LoadInput>(input);
   if (clears_all || begins_anew) return holds_.clear();
   if (clear && clear->slot.empty()) holds_.erase(clear->body);
+  if (const auto* presence = std::get_if<PresenceInput>(&input)) holds_.erase(presence->body);
+  if (const auto* mass = std::get_if<MassInput>(&input))
+    if (const auto hold = holds_.find(mass->body); hold != holds_.end())
+      hold->second.spring.point_P =
+          simulation_.world().bodies[mass->body].X_BP.inverse() * hold->second.point_B;
 }
 
 void Mouse::release(std::size_t body) {

@@ -37,9 +37,9 @@ class Mouse {
   /// Returns the fault of a pull that the simulation refuses; that body is held no longer.
   std::string pull();
 
-  /// An input has been applied: a body whose wrenches have all been cleared, or that has been
-  /// reset, is held no longer. A handle that is still being dragged does nothing until it is
-  /// pressed again.
+  /// An input has been applied: a body whose wrenches have all been cleared, that has been reset,
+  /// or that has left, is held no longer. A handle that is still being dragged does nothing until
+  /// it is pressed again. A body of another mass is held at the same point.
   void follow(const SimulationInput& input);
 
  private:

@@ -11,7 +11,7 @@ namespace {
 // roscpp tells a node its topics, not its services
 const char* const kServices =
     "~apply_wrench, ~apply_wrenches, ~clear_wrenches, ~get_state, ~load, ~pause, ~reset, ~save, "
-    "~set_real_time_factor, ~set_state, ~step";
+    "~set_mass_properties, ~set_present, ~set_real_time_factor, ~set_state, ~step";
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;

@@ -79,6 +79,8 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       wrenches_(queues_.nh, queues_.private_nh, scene, input_context_, options),
       commands_(queues_.nh, input_context_, options),
       wind_(queues_.private_nh, scene.world_frame, input_context_),
+      mass_(queues_.private_nh, input_context_),
+      presence_(queues_.private_nh, scene.world_frame, input_context_),
       states_(queues_.private_nh, scene.world_frame, simulation_, inputs_),
       state_files_(queues_.private_nh, simulation_, inputs_,
                    [this](double t) { return time_.faultOfJump(t, outputs_.lastStamp()); }),
@@ -88,6 +90,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
       real_time_factor_(queues_.private_nh.advertiseService(
           "set_real_time_factor", &SimulationNode::setRealTimeFactor, this)) {
   lockstep_.watchOthers(queues_.nh);
+  followBodies();
   for (const std::string& line : describeSolution(simulation_)) ROS_INFO("%s", line.c_str());
   for (const std::string& line : interfaceLines(movingNames(simulation_.world())))
     ROS_INFO("%s", line.c_str());
@@ -238,6 +241,7 @@ void SimulationNode::advance() {
 void SimulationNode::endStep() {
   within_step_ = pulled_ = false;
   outputs_.watch(simulation_);
+  outputs_.followBodies();
   rest_of_step_.reset();
 }
 
@@ -265,9 +269,12 @@ void SimulationNode::reportingDivergence(const std::function<void()>& action) {
 /// What else changes with an input that has been applied.
 void SimulationNode::follow(const SimulationInput& input) {
   mouse_.follow(input);
+  followBodies();
   const auto* reset = std::get_if<ResetInput>(&input);
   const bool loads = std::holds_alternative<LoadInput>(input);
-  if (reset || loads || std::holds_alternative<StateInput>(input)) outputs_.breakTrails();
+  if (reset || loads || std::holds_alternative<StateInput>(input) ||
+      std::holds_alternative<PresenceInput>(input))
+    outputs_.breakTrails();
   if (!reset && !loads) return;
   divergence_.clear();
   const bool jumps = loads || reset->restart_time;

@@ -16,6 +16,8 @@
 #include "ros/clock/timekeeper.hpp"
 #include "ros/inputs/command_interfaces.hpp"
 #include "ros/inputs/input_context.hpp"
+#include "ros/inputs/mass_service.hpp"
+#include "ros/inputs/presence_service.hpp"
 #include "ros/inputs/state_files.hpp"
 #include "ros/inputs/state_services.hpp"
 #include "ros/inputs/wind_interface.hpp"
@@ -56,6 +58,7 @@ class SimulationNode {
   void report();
   void restartClocks();
   void follow(const SimulationInput& input);
+  void followBodies();
 
   bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool stepPaused(Step::Request& request, Step::Response& response);
@@ -72,6 +75,7 @@ class SimulationNode {
   const bool reset_time_;
   Simulation simulation_;
   std::optional<Simulation> rest_of_step_;  // shown while the simulation is at the step's end
+  const World* followed_world_ = nullptr;   // see followBodies
   bool pulled_ = false;                     // by the mouse, for the next step
   bool within_step_ = false;                // a state within the next step has been shown
   std::chrono::steady_clock::time_point next_repeat_;  // while time stands
@@ -91,6 +95,8 @@ class SimulationNode {
   WrenchInterfaces wrenches_;
   CommandInterfaces commands_;
   WindInterface wind_;
+  MassService mass_;
+  PresenceService presence_;
   StateServices states_;
   StateFiles state_files_;
   ros::ServiceServer pause_, step_, reset_, real_time_factor_;

@@ -61,6 +61,7 @@ bool ImuOutput::publishDue(const Simulation& simulation, double t, double reach)
   for (Sensor& sensor : sensors_) {
     const std::optional<std::uint64_t> sample = sensor.instants.take(from, reach);
     if (!sample || !sensor.hasSubscribers()) continue;
+    if (simulation.world().bodies[sensor.imu.body].absent) continue;
     due.emplace_back(&sensor, *sample);
     bodies.push_back(sensor.imu.body);
   }

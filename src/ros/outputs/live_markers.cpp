@@ -48,6 +48,13 @@ void LiveMarkers::remove(std::size_t body) {
   for (int i = 0; i < Trail::kStrips; ++i) ended_trails_.push_back(firstTrailId(body) + i);
 }
 
+void LiveMarkers::endTrail(std::size_t body) {
+  const auto trail = trails_.find(body);
+  if (trail == trails_.end()) return;
+  trail->second.breakOff();
+  for (int i = 0; i < Trail::kStrips; ++i) ended_trails_.push_back(firstTrailId(body) + i);
+}
+
 void LiveMarkers::forget() {
   shown_.clear();
   ended_trails_.clear();
@@ -78,6 +85,7 @@ void LiveMarkers::addArrows(const Snapshot& snapshot, MarkerArray& all) const {
   const std::vector<Body>& bodies = snapshot.world().bodies;
   const std::vector<BodyState>& states = snapshot.bodies();
   for (const auto& [body, trail] : trails_) {
+    if (bodies[body].absent) continue;
     for (const PointWrench& applied : snapshot.activeWrenches(body))
       append(wrenchArrows(applied, bodies, states), all);
     if (!bodies[body].actuators.empty())
@@ -94,7 +102,7 @@ void LiveMarkers::addArrows(const Snapshot& snapshot, MarkerArray& all) const {
 void LiveMarkers::addRotors(const Snapshot& snapshot, MarkerArray& all) {
   for (const auto& [body, trail] : trails_) {
     const Body& shown = snapshot.world().bodies[body];
-    if (shown.actuators.empty()) continue;
+    if (shown.actuators.empty() || shown.absent) continue;
     const auto rotors = rotors_.try_emplace(body, body_frames_[body], shown).first;
     append(rotors->second.at(snapshot.time(), snapshot.actuators(body)), all);
   }
@@ -112,6 +120,7 @@ void LiveMarkers::deleteEnded(const std::map<std::string, int>& shown, MarkerArr
 
 void LiveMarkers::addTrails(const Snapshot& snapshot, MarkerArray& all) {
   for (auto& [body, trail] : trails_) {
+    if (snapshot.world().bodies[body].absent) continue;
     const std::optional<Marker> strip = trail.add(snapshot.bodies()[body].x_W);
     if (strip) all.markers.push_back(*strip);
   }

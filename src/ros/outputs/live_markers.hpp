@@ -28,6 +28,9 @@ class LiveMarkers {
   void add(std::size_t body, double trail_width);
   void remove(std::size_t body);
 
+  /// The trail of a body goes with the next message, and begins anew where the body goes on.
+  void endTrail(std::size_t body);
+
   bool hasSubscribers() const { return topic_.subscribers() > 0; }
 
   void publish(const Snapshot& snapshot, const ros::Time& stamp);

@@ -12,7 +12,7 @@ tf2_msgs::TFMessage Outputs::toTransforms(const Snapshot& snapshot, const ros::T
   for (const std::size_t i : moving_)
     message.transforms.push_back(
         toTransform(bodies[i], states[i], world_frame_, frames_.of(i), stamp));
-  if (followed_) {
+  if (followed_ && !bodies[*followed_].absent) {
     geometry_msgs::TransformStamped target;
     target.header.stamp = stamp;
     target.header.frame_id = world_frame_;
@@ -70,6 +70,7 @@ void Outputs::publishMotions(const Snapshot& snapshot, const ros::Time& stamp) {
   std::vector<const BodyTopics*> asked;
   std::vector<std::size_t> bodies;
   for (const BodyTopics& topics : topics_.bodies) {
+    if (isAbsent(topics.body)) continue;
     if (!topics.acceleration.subscribers() && !topics.pivot_force.hasSubscribers()) continue;
     asked.push_back(&topics);
     bodies.push_back(topics.body);

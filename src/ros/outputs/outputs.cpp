@@ -6,7 +6,6 @@
 
 #include <rigid_body_sim/math/isometry.hpp>
 
-#include "ros/outputs/arrow_markers.hpp"
 #include "ros/outputs/law_forces.hpp"
 #include "ros/outputs/markers.hpp"
 #include "ros/outputs/state_messages.hpp"
@@ -40,51 +39,16 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
       contacts_(topics_.contacts, scene.world_frame, origin),
       imus_(origin),
       live_markers_(topics_.live_markers, scene.world_frame, frames_.bodies()),
-      bodies_(toMarkers(scene, frames_)) {
+      all_bodies_(toMarkers(scene, frames_)),
+      bodies_(all_bodies_),
+      absent_(simulation.world().bodies.size()) {
   std::vector<std::optional<BodyTopics>> of_body(simulation.world().bodies.size());
   for (BodyTopics& own : std::exchange(topics_.bodies, {})) of_body[own.body] = std::move(own);
   for (std::size_t i = 0; i < of_body.size(); ++i) take(i, std::move(of_body[i]));
   listBodies();
+  bodies_ = presentMarkers();
   publishOnce(scene);
   greet();
-}
-
-void Outputs::add(std::size_t body, std::optional<BodyTopics> topics) {
-  take(body, std::move(topics));
-  listBodies();
-}
-
-void Outputs::take(std::size_t body, std::optional<BodyTopics> topics) {
-  const Body& added = simulation_->world().bodies[body];
-  listed_.insert(std::lower_bound(listed_.begin(), listed_.end(), body), body);
-  if (!added.fixed) live_markers_.add(body, 0.02 * sizeOf(added));
-  if (!topics) return;
-  for (ImuTopics& of_imu : std::exchange(topics->imus, {})) {
-    const Imu& imu = simulation_->world().imus[of_imu.imu];
-    imus_.add(imu, added, std::move(of_imu), frames_.of(body, imu.name), shownTime());
-  }
-  if (added.fixed) return;
-  greet(*topics);
-  topics_.bodies.push_back(std::move(*topics));
-}
-
-void Outputs::remove(std::size_t body) {
-  const auto is_body = [body](const auto& topics) { return topics.body == body; };
-  listed_.erase(std::remove(listed_.begin(), listed_.end(), body), listed_.end());
-  listBodies();
-  live_markers_.remove(body);
-  imus_.remove(body);
-  topics_.bodies.erase(std::remove_if(topics_.bodies.begin(), topics_.bodies.end(), is_body),
-                       topics_.bodies.end());
-}
-
-/// Makes what depends on which bodies there are.
-void Outputs::listBodies() {
-  const World& world = simulation_->world();
-  moving_.clear();
-  for (const std::size_t body : listed_)
-    if (!world.bodies[body].fixed) moving_.push_back(body);
-  states_ = emptyBodyStates(world, listed_, world_frame_);
 }
 
 void Outputs::publishOnce(const Scene& scene) {
@@ -109,10 +73,10 @@ void Outputs::publishOnce(const Scene& scene) {
 /// What is sent to a subscriber that comes while time stands: to it alone, so that every subscriber
 /// receives strictly increasing stamps on /tf.
 template <class ToMessage>
-auto Outputs::greeting(ToMessage toMessage) {
-  return [this, toMessage]() {
+auto Outputs::greeting(ToMessage toMessage, std::optional<std::size_t> body) {
+  return [this, toMessage, body]() {
     using Message = decltype(toMessage(shown(), ros::Time()));
-    if (!standing_) return std::optional<Message>();
+    if (!standing_ || (body && isAbsent(*body))) return std::optional<Message>();
     const Snapshot snapshot = shown();
     return std::optional<Message>(toMessage(snapshot, origin_.stamp(snapshot.time())));
   };
@@ -138,23 +102,30 @@ void Outputs::greet() {
 
 void Outputs::greet(const BodyTopics& topics) {
   const std::size_t body = topics.body;
-  topics.odometry.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
-    return toOdometry(body, snapshot, stamp);
-  }));
-  topics.acceleration.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
-    return toAcceleration(body, snapshot.motions({body})[0], stamp);
-  }));
-  topics.applied_wrench.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
-    return toWrench(body, snapshot, stamp);
-  }));
+  topics.odometry.greetWith(
+      greeting([=](const Snapshot& snapshot,
+                   const ros::Time& stamp) { return toOdometry(body, snapshot, stamp); },
+               body));
+  topics.acceleration.greetWith(greeting(
+      [=](const Snapshot& snapshot, const ros::Time& stamp) {
+        return toAcceleration(body, snapshot.motions({body})[0], stamp);
+      },
+      body));
+  topics.applied_wrench.greetWith(
+      greeting([=](const Snapshot& snapshot,
+                   const ros::Time& stamp) { return toWrench(body, snapshot, stamp); },
+               body));
   if (topics.pivot_force.greetWith)
-    topics.pivot_force.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
-      return toPivotForce(body, snapshot.motions({body})[0], stamp);
-    }));
+    topics.pivot_force.greetWith(greeting(
+        [=](const Snapshot& snapshot, const ros::Time& stamp) {
+          return toPivotForce(body, snapshot.motions({body})[0], stamp);
+        },
+        body));
   if (!topics.actuators.greetWith) return;
-  topics.actuators.greetWith(greeting([=](const Snapshot& snapshot, const ros::Time& stamp) {
-    return toActuators(body, snapshot, stamp);
-  }));
+  topics.actuators.greetWith(
+      greeting([=](const Snapshot& snapshot,
+                   const ros::Time& stamp) { return toActuators(body, snapshot, stamp); },
+               body));
 }
 
 double Outputs::shownTime() const { return std::max(last_t_, simulation_->time()); }
@@ -280,6 +251,7 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
   if (topics_.law_forces.hasSubscribers())
     topics_.law_forces.publish(toLawForces(snapshot, world_frame_, stamp), stamp);
   for (const BodyTopics& topics : topics_.bodies) {
+    if (isAbsent(topics.body)) continue;
     if (topics.odometry.subscribers())
       topics.odometry.publish(toOdometry(topics.body, snapshot, stamp), stamp);
     if (topics.applied_wrench.subscribers())
@@ -291,7 +263,7 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
 }
 
 void Outputs::setStates(const Snapshot& snapshot, const ros::Time& stamp) {
-  setBodyStates(snapshot.world(), listed_, snapshot.bodies(), stamp, states_);
+  setBodyStates(snapshot.world(), present_, snapshot.bodies(), stamp, states_);
 }
 
 }  // namespace rigid_body_sim

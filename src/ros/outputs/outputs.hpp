@@ -72,6 +72,10 @@ class Outputs {
   /// Time has been set to t [s], or its stamps have been moved.
   void restart(double t);
 
+  /// To be called when another simulation is watched, and after every input: bodies may have come
+  /// in or left. One that is absent is on no topic, and viewers draw it no longer.
+  void followBodies();
+
   /// Another simulation of the same scene is watched from now on.
   void watch(const Simulation& simulation) { simulation_ = &simulation; }
 
@@ -94,11 +98,13 @@ class Outputs {
  private:
   void publishOnce(const Scene& scene);
   template <class ToMessage>
-  auto greeting(ToMessage toMessage);
+  auto greeting(ToMessage toMessage, std::optional<std::size_t> body = std::nullopt);
   void greet();
   void greet(const BodyTopics& topics);
   void take(std::size_t body, std::optional<BodyTopics> topics);
   void listBodies();
+  visualization_msgs::MarkerArray presentMarkers() const;
+  bool isAbsent(std::size_t body) const { return simulation_->world().bodies[body].absent; }
   void publishAt(double t, double reach);
   void publishState(double t, bool with_markers);
   void publishClock(double t);
@@ -124,9 +130,9 @@ class Outputs {
   const TimeOrigin& origin_;
   std::string world_frame_;
   TfFrames frames_;
-  std::vector<std::size_t> listed_;      // bodies taken in, ascending
-  std::vector<std::size_t> moving_;      // those of them that move
-  std::optional<std::size_t> followed_;  // by cameras
+  std::vector<std::size_t> listed_;            // bodies taken in, ascending
+  std::vector<std::size_t> moving_, present_;  // those of them that move, that are not absent
+  std::optional<std::size_t> followed_;        // by cameras
   boost::array<double, 36> covariance_{};
   bool publish_clock_;
   bool standing_ = false;
@@ -142,8 +148,10 @@ class Outputs {
   ContactOutput contacts_;
   ImuOutput imus_;
   LiveMarkers live_markers_;
-  visualization_msgs::MarkerArray bodies_;
-  std::size_t viewers_ = 0;  // at the last call of repeatBodies
+  visualization_msgs::MarkerArray all_bodies_, bodies_;  // those of all, and of those present
+  const std::vector<Body>* followed_bodies_ = nullptr;
+  std::vector<bool> absent_;  // by body, as they are shown
+  std::size_t viewers_ = 0;   // at the last call of repeatBodies
   bool viewers_are_new_ = false;
 };
 

@@ -64,6 +64,9 @@ std::vector<ActuatorCommand> commandsOf(const Scene& scene, const std::vector<Bo
     try {
       const auto body = index_of.find(def.body);
       if (body == index_of.end()) refuseUnknown("body", def.body, "", namesOf(bodies));
+      if (bodies[body->second].absent)
+        throw std::invalid_argument("body '" + def.body +
+                                    "' is absent, and starts without commands");
       const std::size_t actuator = actuatorNamed(def.actuator, bodies[body->second]);
       commands.push_back({body->second, actuator, def.value, def.start});
     } catch (const std::invalid_argument& refused) {

@@ -21,6 +21,7 @@ Body bodyOf(const BodyDef& def) {
   Body body = makeBody(def.name, hasMass(def) ? massProperties(def) : any,
                        actuatorsOf(def.actuators), pivotOf(def));
   body.fixed = def.fixed;
+  body.absent = def.absent;
   return body;
 }
 

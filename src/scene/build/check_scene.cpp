@@ -73,6 +73,14 @@ void checkMotion(const Scene& scene, const BodyDef& body) {
                          " rad/s");
 }
 
+void checkPresence(const Scene& scene, const BodyDef& body) {
+  if (body.fixed && body.absent)
+    throw SceneError(scene.source, body.line,
+                     "body '" + body.name +
+                         "': absent cannot stand beside fixed: true, for a fixed body is always "
+                         "present; remove one of the two");
+}
+
 /// Commands name an actuator by its body and its own name. A body that never moves has none.
 void checkActuators(const Scene& scene, const BodyDef& body) {
   std::unordered_map<std::string, int> line_of;
@@ -129,6 +137,7 @@ void checkScene(const Scene& scene) {
     else
       checkPlane(scene, body);
     checkMotion(scene, body);
+    checkPresence(scene, body);
     checkPivot(scene, body);
     checkActuators(scene, body);
     checkImus(scene, body);

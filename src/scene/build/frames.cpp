@@ -35,6 +35,11 @@ void FrameTable::attach(const std::string& name, const std::string& G, const Iso
   put(name, {{parent.frame.body, parent.frame.X_PF * X_GF}, parent.body});
 }
 
+void FrameTable::reframe(std::size_t body, const Isometry3d& X_NP) {
+  for (auto& [name, entry] : frames_)
+    if (entry.frame.body == body) entry.frame.X_PF = X_NP * entry.frame.X_PF;
+}
+
 const FixedFrame* FrameTable::find(const std::string& name) const {
   const auto entry = frames_.find(name);
   return entry == frames_.end() ? nullptr : &entry->second.frame;

@@ -30,7 +30,8 @@ std::string timeFault(const WrenchDef& wrench) {
 std::string bodyFault(const std::string& name, const std::vector<Body>& bodies,
                       const FrameTable& frames) {
   const FixedFrame* frame = frames.find(name);
-  if (frame && frame->body != kWorld && bodies[frame->body].name == name) return "";
+  if (frame && frame->body != kWorld && bodies[frame->body].name == name)
+    return bodies[frame->body].absent ? "body '" + name + "' is absent, no wrench acts on it" : "";
   const auto body =
       std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == name; });
   if (body == bodies.end())
@@ -39,8 +40,13 @@ std::string bodyFault(const std::string& name, const std::vector<Body>& bodies,
   return "body '" + name + "' is fixed, no wrench can move it";
 }
 
-std::string frameFault(const char* key, const std::string& name, const FrameTable& frames) {
-  if (frames.find(name)) return "";
+std::string frameFault(const char* key, const std::string& name, const std::vector<Body>& bodies,
+                       const FrameTable& frames) {
+  if (const FixedFrame* frame = frames.find(name)) {
+    if (frame->body == kWorld || !bodies[frame->body].absent) return "";
+    return std::string(key) + " '" + name + "' is fixed to body '" + bodies[frame->body].name +
+           "', which is absent";
+  }
   return std::string("unknown ") + key + " '" + printable(name) + "'" +
          " (known: " + frames.names() + ")" + frames.suggestion(name);
 }
@@ -64,10 +70,10 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
                              const FrameTable& frames) {
   const std::string& point_frame = wrench.point_frame.empty() ? wrench.body : wrench.point_frame;
   ResolvedWrench resolved;
-  resolved.fault =
-      firstOf({bodyFault(wrench.body, bodies, frames), frameFault("frame", wrench.frame, frames),
-               frameFault("point_frame", point_frame, frames),
-               finiteFault(wrench.point, wrench.force, wrench.torque), timeFault(wrench)});
+  resolved.fault = firstOf(
+      {bodyFault(wrench.body, bodies, frames), frameFault("frame", wrench.frame, bodies, frames),
+       frameFault("point_frame", point_frame, bodies, frames),
+       finiteFault(wrench.point, wrench.force, wrench.torque), timeFault(wrench)});
   if (!resolved.fault.empty()) return resolved;
 
   const FixedFrame& axes = *frames.find(wrench.frame);

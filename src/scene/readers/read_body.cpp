@@ -156,6 +156,7 @@ BodyDef readBody(const Entry& list_item) {
       {"wheels", [](const Entry& e, BodyDef& b) { b.actuators.wheels = readWheels(e); }},
       {"imus", [](const Entry& e, BodyDef& b) { b.imus = readImus(e); }},
       {"fixed", [](const Entry& e, BodyDef& b) { b.fixed = readBoolean(e); }},
+      {"absent", [](const Entry& e, BodyDef& b) { b.absent = readBoolean(e); }},
       {"visual", [](const Entry& e, BodyDef& b) { b.visual = readVisual(e); }},
   };
   const Entry entry = list_item.as(placeOf(list_item));

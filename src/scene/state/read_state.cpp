@@ -7,6 +7,7 @@
 #include <rigid_body_sim/scene/scene_error.hpp>
 #include <rigid_body_sim/scene/state_file.hpp>
 
+#include "dynamics/world_changes.hpp"
 #include "math/shortest.hpp"
 #include "scene/limits.hpp"
 #include "scene/state/read_state_body.hpp"
@@ -125,7 +126,10 @@ void readBodies(const Entry& value, const World& world, const BodyIndex& index, 
     if (!world.bodies[i].fixed) state.anchors[i].horizon = -std::numeric_limits<double>::infinity();
   state.schedules.resize(count);
   state.actuators.resize(count);
+  state.changes.resize(count);
   for (std::size_t i = 0; i < count; ++i) readStateOfBody(items[i], world, index, i, state);
+  for (std::size_t i = 0; i < count; ++i)
+    if (state.changes[i].absent.value_or(unchangedBodies(world)[i].absent)) state.anchors[i] = {};
 }
 
 void checkFingerprint(const Entry& value, const World& world) {
@@ -150,6 +154,8 @@ void completeAnchors(State& state) {
 void leaveOutWhatIsEmpty(const World& world, State& state) {
   const auto isEmpty = [](const auto& of_body) { return of_body.empty(); };
   if (std::all_of(state.actuators.begin(), state.actuators.end(), isEmpty)) state.actuators.clear();
+  const auto isSame = [](const BodyChange& change) { return !change.any(); };
+  if (std::all_of(state.changes.begin(), state.changes.end(), isSame)) state.changes.clear();
   const bool nothing = std::all_of(
       state.schedules.begin(), state.schedules.end(),
       [](const BodySchedule& of) { return of.wrenches.empty() && of.commands.empty(); });

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "dynamics/world_changes.hpp"
 #include "math/shortest.hpp"
 #include "scene/limits.hpp"
 #include "scene/state/percent_code.hpp"
@@ -156,10 +159,38 @@ struct BodyPlace {
   const BodyIndex& index;
   std::size_t body;
   State& state;
-  const Body& of() const { return world.bodies[body]; }
+  std::optional<Body> changed{};
+  const Body& of() const { return changed ? *changed : unchangedBodies(world)[body]; }
 };
 
 BodyState& stateOf(BodyPlace& place) { return place.state.bodies[place.body]; }
+
+MassProperties readMassProperties(const Entry& value) {
+  static const Keys<MassProperties> keys = {
+      {"mass", [](const Entry& e, MassProperties& m) { m.mass = readNumber(e, "kg"); }, true},
+      {"center_of_mass", [](const Entry& e, MassProperties& m) { m.com_B = readVector3(e, "m"); },
+       true},
+      {"inertia",
+       [](const Entry& e, MassProperties& m) {
+         const std::vector<double> I = readNumbers(e, 6, "kg m^2");
+         m.I_Bcm << I[0], I[3], I[4], I[3], I[1], I[5], I[4], I[5], I[2];
+       },
+       true},
+  };
+  MassProperties properties;
+  readMapping(value, keys, properties);
+  return properties;
+}
+
+void readChange(const Entry& value, BodyPlace& place) {
+  const MassProperties properties = readMassProperties(value);
+  try {
+    place.changed = changedBody(place.of(), properties);
+  } catch (const std::invalid_argument& fault) {
+    value.fail(fault.what());
+  }
+  place.state.changes[place.body].properties_B = properties;
+}
 
 void readWrenchEntries(const Entry& value, BodyPlace& place) {
   for (const Entry& item : value.items("must be a list of wrenches")) {
@@ -188,6 +219,9 @@ void readStateOfBody(const Entry& list_item, const World& world, const BodyIndex
                      std::size_t body, State& state) {
   static const Keys<BodyPlace> keys = withState<BodyPlace, stateOf>({
       {"name", [](const Entry&, BodyPlace&) {}, true},
+      {"absent",
+       [](const Entry& e, BodyPlace& b) { b.state.changes[b.body].absent = readBoolean(e); }},
+      {"mass_properties", readChange},
       {"mass",
        [](const Entry& e, BodyPlace& b) { requireSame(e, readNumber(e, "kg"), b.of().mass); }},
       {"moments", [](const Entry& e, BodyPlace& b) { checkMoments(e, b.of()); }},
@@ -200,7 +234,7 @@ void readStateOfBody(const Entry& list_item, const World& world, const BodyIndex
       {"commands", readCommandEntries},
   });
   const Entry entry = list_item.as("body '" + world.bodies[body].name + "'");
-  BodyPlace place{world, index, body, state};
+  BodyPlace place{world, index, body, state, std::nullopt};
   readMapping(entry, keys, place);
 }
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 #include <locale>
@@ -48,6 +49,7 @@ class Writer {
 
   void writeHead(const State& state);
   void write(const BodyState& state, const char* separator);
+  void write(const MassProperties& changed);
   void writeBody(const State& state, std::size_t body);
   void write(const std::string& actuator, const ActuatorState& state);
   void write(const ScheduledWrench& entry);
@@ -102,14 +104,27 @@ void Writer::write(const ActuatorCommand& command) {
         << "}\n";
 }
 
+void Writer::write(const MassProperties& changed) {
+  const Matrix3d& I = changed.I_Bcm;
+  *this << "    mass_properties: {mass: " << changed.mass << ", center_of_mass: " << changed.com_B
+        << ", inertia: ";
+  writeList(std::array{I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)},
+            [this](double entry) { *this << entry; });
+  *this << "}\n";
+}
+
 void Writer::writeBody(const State& state, std::size_t i) {
   const Body& body = world_.bodies[i];
   *this << "  - name: " << body.name << "\n";
+  if (i < state.changes.size() && state.changes[i].absent)
+    *this << "    absent: " << *state.changes[i].absent << "\n";
+  if (i < state.changes.size() && state.changes[i].properties_B)
+    write(*state.changes[i].properties_B);
   if (!body.fixed) *this << "    mass: " << body.mass << "\n    moments: " << body.I << "\n";
   *this << "    ";
   write(state.bodies[i], "\n    ");
   *this << "\n";
-  if (i < state.anchors.size() && state.anchors[i].horizon > -kInf && !body.fixed) {
+  if (i < state.anchors.size() && state.anchors[i].horizon > -kInf && moves(body)) {
     const MotionAnchor& anchor = state.anchors[i];
     *this << "    anchor: {time: " << anchor.t << ", horizon: " << anchor.horizon << ", ";
     write(anchor.state, ", ");

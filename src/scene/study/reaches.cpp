@@ -44,9 +44,11 @@ class Features {
   }
 
   void addBody(const Body& body, const BodyState& state) {
+    add(std::size_t{body.fixed});
+    add(std::size_t{body.absent});
+    if (body.absent) return;
     add(state.x_W);
     add(state.q_WP.coeffs());
-    add(std::size_t{body.fixed});
     if (body.fixed) return;
     add(state.p_W);
     add(state.L_W);
@@ -121,7 +123,7 @@ std::vector<BodyState> shifted(const World& world, const State& initial, std::ui
   const double scale = std::pow(10.0, static_cast<double>(sample % 6) - 3);
   std::vector<BodyState> states = initial.bodies;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (world.bodies[i].fixed) continue;
+    if (!moves(world.bodies[i])) continue;
     BodyState& s = states[i];
     s.x_W += scale * vector(i, 0);
     s.q_WP = s.q_WP * rotationExp(vector(i, 1));

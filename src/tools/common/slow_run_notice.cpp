@@ -19,7 +19,7 @@ FastestBody fastestBody(const Simulation& simulation) {
   const State state = simulation.state();
   FastestBody fastest;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (world.bodies[i].fixed) continue;
+    if (!moves(world.bodies[i])) continue;
     const double w = toBodyFrameMotion(world.bodies[i], state.bodies[i]).w_W.norm();
     if (w > fastest.rate) fastest = {world.bodies[i].name, w};
   }

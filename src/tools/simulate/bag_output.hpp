@@ -29,6 +29,9 @@ class BagOutput {
   /// Bodies have been moved other than by time.
   void breakTrails() { outputs_->breakTrails(); }
 
+  /// Inputs have been applied.
+  void followBodies() { outputs_->followBodies(); }
+
   /// Closes the bag.
   void finish();
 

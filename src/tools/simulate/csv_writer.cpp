@@ -11,6 +11,7 @@ void CsvWriter::write(const World& world, const State& state) {
   std::FILE* const out = file_.stream();
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
+    if (body.absent) continue;
     std::fprintf(out, "%.17g,%s", state.t, body.name.c_str());
     for (const double x : motionNumbers(toBodyFrameMotion(body, state.bodies[i])))
       std::fprintf(out, ",%.17g", x);

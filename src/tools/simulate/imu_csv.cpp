@@ -36,8 +36,8 @@ void ImuCsv::writeAt(double t, double reach) {
   std::FILE* const out = file_.stream();
   for (std::size_t i = 0; i < imus.size(); ++i) {
     const auto sample = instants_[i].take(t - (reach - t), reach);
-    if (!sample) continue;
     const Body& body = simulation_.world().bodies[imus[i].body];
+    if (!sample || body.absent) continue;
     const ImuReading reading = readImu(imus[i], body, simulation_.motions({imus[i].body}, t)[0]);
     std::fprintf(out, "%.17g,%s,%s", static_cast<double>(*sample) / imus[i].rate, body.name.c_str(),
                  imus[i].name.c_str());

@@ -14,6 +14,10 @@ std::vector<InputEffects> effectsOf(const std::vector<TimedInput>& inputs, std::
       effects[wrench->wrench.body].wrench = true;
     else if (const auto* state = std::get_if<StateInput>(&input))
       effects[state->body].moved = true;
+    else if (const auto* mass = std::get_if<MassInput>(&input))
+      effects[mass->body].mass = true;
+    else if (const auto* presence = std::get_if<PresenceInput>(&input))
+      effects[presence->body].presence = true;
     else if (std::holds_alternative<ResetInput>(input))
       for (InputEffects& each : effects) each.moved = true;
   }

@@ -9,8 +9,10 @@ namespace rigid_body_sim {
 
 /// What recorded inputs did to a body, beside the laws and wrenches of the scene.
 struct InputEffects {
-  bool wrench = false;  ///< a wrench was applied
-  bool moved = false;   ///< its state was set, or the run reset
+  bool wrench = false;    ///< a wrench was applied
+  bool moved = false;     ///< its state was set, or the run reset
+  bool mass = false;      ///< its mass properties were set
+  bool presence = false;  ///< it came in or left
 };
 
 /// Of each of so many bodies, by the first `applied` of the inputs.

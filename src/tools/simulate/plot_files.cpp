@@ -4,6 +4,7 @@
 
 #include <rigid_body_sim/dynamics/acceleration.hpp>
 
+#include "dynamics/run/coupling.hpp"
 #include "programs/make_directory.hpp"
 #include "tools/common/csv_header.hpp"
 
@@ -47,8 +48,6 @@ PlotFiles::PlotFiles(const std::string& directory, Simulation& simulation)
       motion_(pathsIn(made(directory))[0]),
       forces_(pathsIn(directory)[1], kForcesHeader),
       balance_(pathsIn(directory)[2], kBalanceHeader) {
-  for (std::size_t i = 0; i < simulation.world().bodies.size(); ++i)
-    if (!simulation.world().bodies[i].fixed) moving_.push_back(i);
   simulation.trackBalance();
   finish();  // the headers: a file that takes nothing is reported before the run
 }
@@ -61,9 +60,10 @@ void PlotFiles::write(const State& state) {
 
 void PlotFiles::writeForces(const State& state) {
   const World& world = simulation_.world();
-  const std::vector<BodyMotion> motions = simulation_.motions(moving_, state.t);
-  for (std::size_t k = 0; k < moving_.size(); ++k) {
-    const Body& body = world.bodies[moving_[k]];
+  const std::vector<std::size_t> moving = movingBodies(world);
+  const std::vector<BodyMotion> motions = simulation_.motions(moving, state.t);
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    const Body& body = world.bodies[moving[k]];
     std::fprintf(forces_.stream(), "%.17g,%s", state.t, body.name.c_str());
     print(forces_.stream(), forceOn(body, motions[k], world.g_W));
     print(forces_.stream(), torqueOn(body, motions[k]));
@@ -77,7 +77,8 @@ void PlotFiles::writeBalance() {
   const World& world = simulation_.world();
   const State state = simulation_.state();
   double kinetic = 0;
-  for (const std::size_t i : moving_) kinetic += kineticEnergy(world.bodies[i], state.bodies[i]);
+  for (const std::size_t i : movingBodies(world))
+    kinetic += kineticEnergy(world.bodies[i], state.bodies[i]);
   const Totals has = totalsOf(world, state), left = simulation_.balance();
   std::fprintf(balance_.stream(), "%.17g,%.17g,%.17g,%.17g", state.t, has.energy, kinetic,
                simulation_.exchanged().energy);

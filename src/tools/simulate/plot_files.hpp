@@ -31,7 +31,6 @@ class PlotFiles {
   void writeBalance();
 
   const Simulation& simulation_;
-  std::vector<std::size_t> moving_;
   CsvWriter motion_;
   CsvFile forces_, balance_;
   std::int64_t balanced_steps_ = -1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "dynamics/world_changes.hpp"
 #include "programs/formatted.hpp"
 
 namespace rigid_body_sim {
@@ -28,12 +29,23 @@ std::vector<Causes> causesOf(const World& world, double t_end,
     if (wrench.start < t_end) addOnce("wrenches", causes[wrench.body]);
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].wrench) addOnce("wrenches", causes[i]);
-  for (const auto& law : world.laws)
-    for (std::size_t body : law->members()) addOnce(law->name(), causes[body]);
+  const auto comes_and_goes = [&](std::size_t body) {
+    return body < inputs.size() && inputs[body].presence;
+  };
+  for (const auto& law : world.laws) {
+    const std::vector<std::size_t> members = law->members();
+    if (rests(*law, world) && std::none_of(members.begin(), members.end(), comes_and_goes))
+      continue;
+    for (std::size_t body : members) addOnce(law->name(), causes[body]);
+  }
   for (std::size_t i = 0; i < causes.size(); ++i)
     if (world.bodies[i].pivoted) addOnce("pivot", causes[i]);
   for (std::size_t i = 0; i < causes.size(); ++i)
     if (!world.bodies[i].actuators.empty()) addOnce("motors", causes[i]);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].mass) addOnce("set_mass_properties and weight", causes[i]);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].presence) addOnce("set_present and weight", causes[i]);
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].moved) addOnce("set_state or reset", causes[i]);
   return causes;
@@ -85,18 +97,30 @@ std::string runSummary(const World& world, const State& first, const State& last
                        const std::vector<InputEffects>& inputs) {
   constexpr std::size_t kMost = 100;  // bodies that anybody would read about one by one
   const std::vector<Causes> causes = causesOf(world, last.t, inputs);
+  const World world_at_first = withChanges(world, first.changes);
   std::string summary;
   std::size_t moving = 0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
+    const Body& body_at_first = world_at_first.bodies[i];
     if (body.fixed || ++moving > kMost) continue;
+    const bool has_come = body_at_first.absent;
+    if (body.absent) {
+      summary += body.name + (has_come ? ": absent\n" : ": has left\n");
+      continue;
+    }
     const BodyFrameMotion m = toBodyFrameMotion(body, last.bodies[i]);
-    summary += body.name + ": from " + text(toBodyFrameMotion(body, first.bodies[i]).x_W) + " to " +
+    const Vector3d from = toBodyFrameMotion(body_at_first, first.bodies[i]).x_W;
+    summary += body.name + (has_come ? ": has come in, at " : ": from " + text(from) + " to ") +
                text(m.x_W) + " m, velocity " + text(m.v_W) + " m/s, turning at " + text(m.w_W) +
                " rad/s\n";
-    const Conserved a(body, first.bodies[i], world.g_W);
+    if (has_come) continue;
+    const Conserved a(body_at_first, first.bodies[i], world.g_W);
     const Conserved b(body, last.bodies[i], world.g_W);
-    const Vector3d weight_impulse = body.mass * (last.t - first.t) * world.g_W;
+    // of a weight that changed meanwhile, the impulse is not known
+    const bool same_mass = i >= inputs.size() || !(inputs[i].mass || inputs[i].presence);
+    const double mass = same_mass ? body.mass : 0;
+    const Vector3d weight_impulse = mass * (last.t - first.t) * world.g_W;
     summary += causes[i].empty() ? conservedText(a, b, weight_impulse)
                                  : changedText(causes[i], a, b, weight_impulse);
   }
@@ -105,7 +129,7 @@ std::string runSummary(const World& world, const State& first, const State& last
   if (!world.laws.empty()) {
     const double energy = mechanicalEnergy(world, last);
     summary += formatted("all together: energy %.4g J, %+.2g J since the start\n", energy,
-                         energy - mechanicalEnergy(world, first));
+                         energy - mechanicalEnergy(world_at_first, first));
   }
   return summary;
 }

@@ -14,6 +14,7 @@ namespace rigid_body_sim {
 ///   energy ½ p²/m + ½ Σ Lᵢ²/Iᵢ − m g·x,  momentum p − m g t,  angular momentum L,
 /// each difference relative to the greatest value. For every other body the text says what changed
 /// them, and by how much. inputs: of each body, or empty.
+/// world: as it is at the last state.
 std::string runSummary(const World& world, const State& first, const State& last,
                        const std::vector<InputEffects>& inputs);
 

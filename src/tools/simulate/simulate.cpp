@@ -158,6 +158,7 @@ StepHooks hooksOf(Job& job, SlowRunNotice& slow) {
       const bool moved = job.record->replay().applyDue(job.simulation);
       if (job.record->replay().isDone()) job.messages.print();
       if (moved && job.bag) job.bag->breakTrails();
+      if (job.bag) job.bag->followBodies();
     };
   if (job.bag || job.imu_csv)
     hooks.within = [&job](double t) {
@@ -176,7 +177,7 @@ StepHooks hooksOf(Job& job, SlowRunNotice& slow) {
 }
 
 void writeRow(const State& state, Job& job) {
-  if (job.csv) job.csv->write(job.world, state);
+  if (job.csv) job.csv->write(job.simulation.world(), state);
   if (job.plot) job.plot->write(state);
 }
 
@@ -218,7 +219,8 @@ void finish(Job& job) {
   if (job.imu_csv) job.imu_csv->finish();
   if (job.bag) job.bag->finish();
   if (job.plot) job.plot->finish();
-  if (job.options.save) saveState(*job.options.save, job.world, job.simulation.state());
+  if (job.options.save)
+    saveState(*job.options.save, job.simulation.world(), job.simulation.state());
   const std::string substeps = describeSubsteps(job.simulation);
   if (!substeps.empty()) job.note(substeps);
   const std::string promise = describePromise(job.simulation);
@@ -261,7 +263,7 @@ void run(const SimulateOptions& options) {
                last.t - job.begin, on_from.c_str(), job.world.solver.time_step,
                job.world.solver.integrator.c_str(), wall.count());
   const auto inputs = job.record ? job.record->effects(job.world) : std::vector<InputEffects>();
-  std::fputs(runSummary(job.world, job.first, last, inputs).c_str(), out);
+  std::fputs(runSummary(job.simulation.world(), job.first, last, inputs).c_str(), out);
   // results in files are not spoilt by a summary that nobody wants
   const bool to_file = job.csv || job.imu_csv || job.bag || job.plot || options.save;
   if (isOpen(out) || !to_file) requireWritten(out);

@@ -11,9 +11,10 @@ namespace {
 
 /// Whether two runs end in different states. Of a run that diverges nothing is known, so that it
 /// counts as another.
-bool differ(const std::optional<State>& a, const std::optional<State>& b) {
+bool differ(const World& world, const std::optional<State>& a, const std::optional<State>& b) {
   if (!a || !b) return true;
   for (std::size_t i = 0; i < a->bodies.size(); ++i) {
+    if (world.bodies[i].absent) continue;
     const BodyState &s = a->bodies[i], &t = b->bodies[i];
     if (s.x_W != t.x_W || s.p_W != t.p_W || s.L_W != t.L_W || s.q_WP.coeffs() != t.q_WP.coeffs())
       return true;
@@ -107,7 +108,7 @@ bool SweepRunner::movesAlike(Reference& reference, const Built& other, const std
     return false;
   if (!reference.is_run) reference.end = endOf(first);
   reference.is_run = true;
-  return !differ(reference.end, endOf(other));
+  return !differ(first.world, reference.end, endOf(other));
 }
 
 void SweepRunner::checkPath(std::size_t index) {

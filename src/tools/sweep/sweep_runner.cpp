@@ -54,7 +54,7 @@ SweepRunner::SweepRunner(const SweepInputs& inputs)
   for (std::size_t i = 0; i < inputs.study.vary.size(); ++i)
     read_backs_.emplace_back(inputs.study.vary[i].path, scene_.bodyOf(i));
   for (std::size_t i = 0; i < built.world.bodies.size(); ++i)
-    if (!built.world.bodies[i].fixed) moving_.push_back(i);
+    if (moves(built.world.bodies[i])) moving_.push_back(i);
   findRecords(built.world);
   findColumns(built.world);
 }
@@ -79,6 +79,11 @@ void SweepRunner::findRecords(const World& world) {
                            "' (known: " + nameList(known) + ")" +
                            didYouMean(def.quantity.body, known));
     }
+    if (world.bodies[quantity.body].absent)
+      throw SceneError(inputs_.study.source, def.line,
+                       "record." + def.name + ": body '" + def.quantity.body +
+                           "' is absent in the scene, and nothing brings it in during a sweep; "
+                           "remove 'absent: true' there, or record another body");
     quantity.index = static_cast<std::size_t>(
         std::find(names.begin(), names.end(), def.quantity.name) - names.begin());
     records_.push_back({def, quantity});

@@ -54,7 +54,7 @@ void addErrorsOfBody(const Body& of, std::size_t body, double rounding, double g
 double kineticEnergyOfAll(const World& world, const State& state) {
   double sum = 0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    if (!world.bodies[i].fixed) sum += kineticEnergy(world.bodies[i], state.bodies[i]);
+    if (moves(world.bodies[i])) sum += kineticEnergy(world.bodies[i], state.bodies[i]);
   return sum;
 }
 
@@ -62,7 +62,7 @@ double kineticEnergyOfAll(const World& world, const State& state) {
 double fallEnergy(const World& world) {
   double sum = 0;
   for (const Body& body : world.bodies)
-    if (!body.fixed) sum += body.mass * world.g_W.norm() * radiusOfGyration(body);
+    if (moves(body)) sum += body.mass * world.g_W.norm() * radiusOfGyration(body);
   return sum;
 }
 
@@ -73,7 +73,7 @@ Errors errorsOf(const World& world, const std::vector<State>& track,
   Errors worst;
   const std::vector<double> rounding = positionRounding(world, truth.front().bodies, {});
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    if (!world.bodies[i].fixed)
+    if (moves(world.bodies[i]))
       addErrorsOfBody(world.bodies[i], i, rounding[i], world.g_W.norm(), track, truth, worst);
   double scale = fallEnergy(world);
   for (const State& state : truth) scale = std::max(scale, kineticEnergyOfAll(world, state));

@@ -30,7 +30,7 @@ double countedWork(const Simulation& simulation) {
 
 double movingBodyCount(const World& world) {
   return static_cast<double>(std::count_if(world.bodies.begin(), world.bodies.end(),
-                                           [](const Body& body) { return !body.fixed; }));
+                                           [](const Body& body) { return moves(body); }));
 }
 
 Setting measureSetting(const World& world, const Reference& reference,

@@ -68,7 +68,7 @@ std::vector<State> trackOf(const World& world, const State& initial, double dura
   for (std::size_t k = 1; k < track.size(); ++k)
     track[k].t = duration * static_cast<double>(k) / instants;
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    if (!world.bodies[i].fixed) fill(i, track);
+    if (moves(world.bodies[i])) fill(i, track);
   return track;
 }
 

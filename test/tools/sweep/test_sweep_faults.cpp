@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <string>
 
 #include <fcntl.h>
@@ -52,6 +53,35 @@ TEST(SweepProgram, SaysInOneLineWhatIsAtFault) {
   EXPECT_NE(fault("runs: 2\nvary: {bodies.ball.mass: {list: [" + values + "-1]}}")
                 .find("'bodies.ball.mass' cannot be -1: "),
             std::string::npos);
+}
+
+TEST(SweepProgram, RecordsAndVariesNothingOfABodyThatIsAbsent) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", R"(
+time_step: 0.01
+horizon: 0.1
+bodies:
+  - {name: ball, shape: {sphere: {radius: 1}}, mass: 1, position: [0, 0, 0]}
+  - {name: guest, shape: {sphere: {radius: 1}}, mass: 1, absent: true,
+     twist: {frame: world, linear: [1, 0, 0]}}
+)");
+  const auto swept = [&](const std::string& study) {
+    return sweep(scene + " " + files.written("study.yaml", study) + " --out " + files.path("out"));
+  };
+  const std::string at = "sweep: " + files.path("study.yaml");
+  const std::string vary = "runs: 2\nvary:\n  bodies.ball.position[0]: {list: [1, 2]}\n";
+  EXPECT_EQ(swept(vary + "record: {a: {max: guest.pz}}").out,
+            at + ":4: record.a: body 'guest' is absent in the scene, and nothing brings it in "
+                 "during a sweep; remove 'absent: true' there, or record another body\n");
+  EXPECT_EQ(swept("runs: 2\nvary: {bodies.guest.mass: {list: [1, 2]}}").out,
+            at + ":2: vary: 'bodies.guest.mass' varies nothing: the bodies move alike whether it "
+                 "is 1 or not\n");
+  EXPECT_EQ(swept(vary).exit_code, 0);
+  std::ifstream rows(files.path("out/runs.csv"));
+  std::string header;
+  std::getline(rows, header);
+  EXPECT_NE(header.find("ball.pz"), std::string::npos) << header;
+  EXPECT_EQ(header.find("guest"), std::string::npos) << header;
 }
 
 TEST(SweepProgram, MakesRowsOfDrawsThatBreakARuleWhateverTheMean) {

@@ -174,4 +174,24 @@ TEST(Trade, AdviceDoesNotDependOnTheTimesThatWereMeasured) {
   } while (std::next_permutation(times.begin(), times.end()));
 }
 
+TEST(TradeMeasures, LeaveOutABodyThatIsAbsent) {
+  Bench alone;
+  alone.world.g_W = {0, 0, -9.81};
+  alone.add(test::principalBody("box", 2, {1, 2, 2.5}), test::tumbling({0, 0, 1}, {2, 1, 0.2}));
+  Bench with_guest = alone;
+  with_guest.add(test::principalBody("guest", 2e3, {1, 2, 2.5}),
+                 test::tumbling({0, 0, 9}, {2, 1, 0.2}));
+  with_guest.world.bodies[1].absent = true;
+  const auto measured = [](const Bench& bench) {
+    const Reference reference = computeReference(bench.world, bench.initial, 1);
+    return measureSetting(bench.world, reference, "rk4", 0.05, {test::kBriefly, 0}).errors;
+  };
+  const Errors expected = measured(alone), errors = measured(with_guest);
+  EXPECT_GT(expected.energy, 0);
+  EXPECT_EQ(errors.energy, expected.energy);
+  EXPECT_EQ(errors.attitude, expected.attitude);
+  EXPECT_EQ(errors.position, expected.position);
+  EXPECT_EQ(movingBodyCount(with_guest.world), 1);
+}
+
 }  // namespace rigid_body_sim
