@@ -73,6 +73,9 @@ class Simulation {
   /// As it is now: setMassProperties, reset and load may change mass properties, and what goes by
   /// them; then this is another object.
   const World& world() const;
+
+  /// How often the world has become another since the start: its references are to be taken anew.
+  std::size_t worldChanges() const;
   double time() const;
   std::int64_t steps() const;
 

@@ -46,6 +46,7 @@ void Run::enter(const std::vector<BodyChange>& changes) {
   if (changes == now_.changes) return;
   now_.world = std::make_shared<const World>(withChanges(*now_.world, changes));
   now_.changes = changes;
+  ++now_.world_changes;
   now_.laws = LawTable(*now_.world);
   grouping_ = Grouping(now_);
   motors_ = RunMotors(*now_.world, *now_.start);

@@ -61,6 +61,7 @@ struct RunState {
   std::shared_ptr<const World> world;  ///< with the changes
   std::shared_ptr<const State> start;  ///< of the run; fixed bodies stay there
   std::vector<BodyChange> changes;     ///< of the world, as State has them
+  std::size_t world_changes = 0;       ///< how often it has become another
   LawTable laws;
   std::int64_t steps = 0;
   double time = 0;                        ///< [s] steps × time_step

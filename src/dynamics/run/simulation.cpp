@@ -43,6 +43,7 @@ Simulation& Simulation::operator=(Simulation&& other) noexcept = default;
 Simulation::~Simulation() = default;
 
 const World& Simulation::world() const { return *parts_->run.now().world; }
+std::size_t Simulation::worldChanges() const { return parts_->run.now().world_changes; }
 double Simulation::time() const { return parts_->run.now().time; }
 std::int64_t Simulation::steps() const { return parts_->run.now().steps; }
 BodyState Simulation::body(std::size_t body) const { return parts_->run.body(body); }

@@ -60,7 +60,6 @@ WrenchIntake::WrenchIntake(const Scene& scene, const std::vector<Body>& bodies,
 }
 
 void WrenchIntake::setBodies(const std::vector<Body>& bodies) {
-  if (&bodies == bodies_) return;
   bodies_ = &bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (X_BP_[i].matrix() != bodies[i].X_BP.matrix())

@@ -47,7 +47,7 @@ class WrenchIntake {
   void add(const BodyDef& def, std::size_t body) { frames_.add(def, (*bodies_)[body], body); }
   void remove(const std::string& body) { frames_.remove(body); }
 
-  /// The bodies of the world as it is now; where nothing has changed, this costs nothing.
+  /// The world is another: these are its bodies now.
   void setBodies(const std::vector<Body>& bodies);
 
   /// Frames that others hang on those of the scene; each is looked up when first named.

@@ -5,9 +5,8 @@ namespace rigid_body_sim {
 
 /// An input may have changed mass properties, and which bodies are present.
 void SimulationNode::followBodies() {
-  const World* world = &simulation_.world();
-  if (world == followed_world_) return;  // where bodies have changed, it is another
-  followed_world_ = world;
+  if (simulation_.worldChanges() == followed_changes_) return;
+  followed_changes_ = simulation_.worldChanges();
   wrenches_.followBodies();
   outputs_.followBodies();
   for (const Body& body : simulation_.world().bodies) handles_.show(body.name, !body.absent);

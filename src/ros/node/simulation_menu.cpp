@@ -33,7 +33,7 @@ void SimulationNode::choose(const HandleTopics::Feedback& feedback) {
     case MenuChoice::kFollow:
       return followWithCamera(feedback.marker_name);
     case MenuChoice::kStopFollowing:
-      return outputs_.stopFollowing();
+      return outputs_.follow(std::nullopt);
   }
   refusals_.add("menu", "it has no entry " + std::to_string(feedback.menu_entry_id));
 }

@@ -21,7 +21,7 @@ void Outputs::take(std::size_t body, std::optional<BodyTopics> topics) {
   if (!topics) return;
   for (ImuTopics& of_imu : std::exchange(topics->imus, {})) {
     const Imu& imu = simulation_->world().imus[of_imu.imu];
-    imus_.add(imu, added, std::move(of_imu), frames_.of(body, imu.name), shownTime());
+    imus_.add(imu, added, std::move(of_imu), messages_.frames().of(body, imu.name), shownTime());
   }
   if (added.fixed) return;
   greet(*topics);
@@ -48,23 +48,20 @@ void Outputs::listBodies() {
     if (!world.bodies[body].absent) present_.push_back(body);
     absent_[body] = world.bodies[body].absent;
   }
-  states_ = emptyBodyStates(world, present_, world_frame_);
+  states_ = emptyBodyStates(world, present_, messages_.worldFrame());
 }
 
-visualization_msgs::MarkerArray Outputs::presentMarkers() const {
+std::set<std::string> Outputs::absentBodies() const {
   std::set<std::string> absent;
   for (const Body& body : simulation_->world().bodies)
     if (body.absent) absent.insert(body.name);
-  visualization_msgs::MarkerArray present;
-  for (const visualization_msgs::Marker& marker : all_bodies_.markers)
-    if (absent.count(marker.ns) == 0) present.markers.push_back(marker);
-  return present;
+  return absent;
 }
 
 void Outputs::followBodies() {
+  if (simulation_->worldChanges() == followed_changes_) return;
+  followed_changes_ = simulation_->worldChanges();
   const std::vector<Body>& bodies = simulation_->world().bodies;
-  if (&bodies == followed_bodies_) return;  // where bodies have changed, they are others
-  followed_bodies_ = &bodies;
   std::set<std::string> leaving;
   bool changed = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -76,16 +73,10 @@ void Outputs::followBodies() {
   }
   if (!changed) return;
   listBodies();
-  bodies_ = presentMarkers();
-  visualization_msgs::MarkerArray deleted;
-  for (visualization_msgs::Marker marker : all_bodies_.markers) {
-    if (leaving.count(marker.ns) == 0) continue;
-    marker.action = visualization_msgs::Marker::DELETE;
-    deleted.markers.push_back(std::move(marker));
-  }
   const ros::Time stamp = origin_.stamp(shownTime());
-  if (!deleted.markers.empty()) topics_.live_markers.publish(deleted, stamp);
-  topics_.markers.publish(bodies_, stamp);
+  // not latched: whoever comes later is not to delete anything
+  if (!leaving.empty()) topics_.live_markers.publish(markers_.deletions(leaving), stamp);
+  markers_.publish(absentBodies(), stamp);
 }
 
 }  // namespace rigid_body_sim

@@ -1,10 +1,7 @@
 #include "ros/outputs/outputs.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-
-#include <rigid_body_sim/math/isometry.hpp>
 
 #include "ros/outputs/law_forces.hpp"
 #include "ros/outputs/markers.hpp"
@@ -16,12 +13,6 @@ namespace {
 /// Arrows and trails are for the eye [1/s of simulation time].
 constexpr double kMarkerRate = 30;
 
-boost::array<double, 36> diagonalMatrix(const std::array<double, 6>& diagonal) {
-  boost::array<double, 36> matrix{};
-  for (std::size_t i = 0; i < 6; ++i) matrix[7 * i] = diagonal[i];
-  return matrix;
-}
-
 }  // namespace
 
 Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& scene,
@@ -29,45 +20,29 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
     : topics_(std::move(topics)),
       simulation_(&simulation),
       origin_(origin),
-      world_frame_(scene.world_frame),
-      frames_(scene, options.tf_prefix),
-      covariance_(diagonalMatrix(options.odometry_covariance)),
+      messages_(scene, options),
       publish_clock_(options.publish_clock),
       state_instants_(options.publish_rate, simulation.time()),
       clock_instants_(options.clock_rate, simulation.time()),
       marker_instants_(std::min(options.publish_rate, kMarkerRate), simulation.time()),
       contacts_(topics_.contacts, scene.world_frame, origin),
       imus_(origin),
-      live_markers_(topics_.live_markers, scene.world_frame, frames_.bodies()),
-      all_bodies_(toMarkers(scene, frames_)),
-      bodies_(all_bodies_),
+      live_markers_(topics_.live_markers, scene.world_frame, messages_.frames().bodies()),
+      markers_(topics_.markers, toMarkers(scene, messages_.frames())),
       absent_(simulation.world().bodies.size()) {
   std::vector<std::optional<BodyTopics>> of_body(simulation.world().bodies.size());
   for (BodyTopics& own : std::exchange(topics_.bodies, {})) of_body[own.body] = std::move(own);
   for (std::size_t i = 0; i < of_body.size(); ++i) take(i, std::move(of_body[i]));
   listBodies();
-  bodies_ = presentMarkers();
   publishOnce(scene);
   greet();
 }
 
 void Outputs::publishOnce(const Scene& scene) {
   const ros::Time stamp = origin_.stamp(simulation_->time());
-  const std::vector<Body>& bodies = simulation_->world().bodies;
-  tf2_msgs::TFMessage frames;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].fixed)
-      frames.transforms.push_back(
-          toTransform(bodies[i], simulation_->body(i), world_frame_, frames_.of(i), stamp));
-    for (const PointDef& point : scene.bodies[i].points)
-      frames.transforms.push_back(toTransform(isometry(point.orientation, point.position),
-                                              frames_.of(i), frames_.of(i, point.name), stamp));
-    for (const ImuDef& def : scene.bodies[i].imus)
-      frames.transforms.push_back(toTransform(isometry(def.imu.q_BS, def.imu.position_B),
-                                              frames_.of(i), frames_.of(i, def.imu.name), stamp));
-  }
+  const tf2_msgs::TFMessage frames = messages_.fixedTransforms(scene, *simulation_, stamp);
   if (!frames.transforms.empty()) topics_.tf_static.publish(frames, stamp);
-  topics_.markers.publish(bodies_, stamp);
+  markers_.publish(absentBodies(), stamp);
 }
 
 /// What is sent to a subscriber that comes while time stands: to it alone, so that every subscriber
@@ -85,7 +60,7 @@ auto Outputs::greeting(ToMessage toMessage, std::optional<std::size_t> body) {
 void Outputs::greet() {
   topics_.tf.greetWith(greeting([this](const Snapshot& snapshot, const ros::Time& stamp) {
     greeted_ = stamp;
-    return toTransforms(snapshot, stamp);
+    return messages_.transforms(moving_, snapshot, stamp);
   }));
   topics_.states.greetWith(greeting([this](const Snapshot& snapshot, const ros::Time& stamp) {
     setStates(snapshot, stamp);
@@ -96,36 +71,30 @@ void Outputs::greet() {
   }));
   if (!topics_.law_forces.greetWith) return;
   topics_.law_forces.greetWith(greeting([this](const Snapshot& snapshot, const ros::Time& stamp) {
-    return toLawForces(snapshot, world_frame_, stamp);
+    return toLawForces(snapshot, messages_.worldFrame(), stamp);
   }));
 }
 
 void Outputs::greet(const BodyTopics& topics) {
   const std::size_t body = topics.body;
-  topics.odometry.greetWith(
-      greeting([=](const Snapshot& snapshot,
-                   const ros::Time& stamp) { return toOdometry(body, snapshot, stamp); },
-               body));
-  topics.acceleration.greetWith(greeting(
-      [=](const Snapshot& snapshot, const ros::Time& stamp) {
-        return toAcceleration(body, snapshot.motions({body})[0], stamp);
-      },
-      body));
-  topics.applied_wrench.greetWith(
-      greeting([=](const Snapshot& snapshot,
-                   const ros::Time& stamp) { return toWrench(body, snapshot, stamp); },
-               body));
-  if (topics.pivot_force.greetWith)
-    topics.pivot_force.greetWith(greeting(
-        [=](const Snapshot& snapshot, const ros::Time& stamp) {
-          return toPivotForce(body, snapshot.motions({body})[0], stamp);
-        },
-        body));
-  if (!topics.actuators.greetWith) return;
-  topics.actuators.greetWith(
-      greeting([=](const Snapshot& snapshot,
-                   const ros::Time& stamp) { return toActuators(body, snapshot, stamp); },
-               body));
+  const auto greetWith = [&](const auto& topic, const auto& toMessage) {
+    if (topic.greetWith) topic.greetWith(greeting(toMessage, body));
+  };
+  greetWith(topics.odometry, [=](const Snapshot& snapshot, const ros::Time& stamp) {
+    return messages_.odometry(body, snapshot, stamp);
+  });
+  greetWith(topics.acceleration, [=](const Snapshot& snapshot, const ros::Time& stamp) {
+    return messages_.acceleration(body, snapshot, snapshot.motions({body})[0], stamp);
+  });
+  greetWith(topics.applied_wrench, [=](const Snapshot& snapshot, const ros::Time& stamp) {
+    return messages_.appliedWrench(body, snapshot, stamp);
+  });
+  greetWith(topics.pivot_force, [=](const Snapshot& snapshot, const ros::Time& stamp) {
+    return messages_.pivotForce(body, snapshot, snapshot.motions({body})[0], stamp);
+  });
+  greetWith(topics.actuators, [=](const Snapshot& snapshot, const ros::Time& stamp) {
+    return messages_.actuators(body, snapshot, stamp);
+  });
 }
 
 double Outputs::shownTime() const { return std::max(last_t_, simulation_->time()); }
@@ -186,12 +155,7 @@ void Outputs::repeatState() {
   publishBodyTopics(snapshot, origin_.stamp(snapshot.time()));
 }
 
-void Outputs::repeatBodies() {
-  if (viewers_are_new_) topics_.markers.publish(bodies_, origin_.stamp(simulation_->time()));
-  const std::size_t viewers = topics_.markers.subscribers();
-  viewers_are_new_ = viewers > viewers_;
-  viewers_ = viewers;
-}
+void Outputs::repeatBodies() { markers_.repeat(origin_.stamp(simulation_->time())); }
 
 ros::Time Outputs::lastStamp() const {
   if (!last_state_stamp_ && !last_clock_stamp_) return origin_.stamp(simulation_->time());
@@ -226,7 +190,7 @@ void Outputs::publishState(double t, bool with_markers) {
   if (!anySubscribers() && !topics_.tf.subscribers() && !(seen && with_markers)) return;
   const Snapshot snapshot(*simulation_, t);
   if (topics_.tf.subscribers() && stamp != greeted_)
-    topics_.tf.publish(toTransforms(snapshot, stamp), stamp);
+    topics_.tf.publish(messages_.transforms(moving_, snapshot, stamp), stamp);
   publishBodyTopics(snapshot, stamp);
   if (seen && with_markers) live_markers_.publish(snapshot, stamp);
 }
@@ -249,17 +213,40 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
   }
   if (contacts_.hasSubscribers()) contacts_.publish(snapshot, stamp);
   if (topics_.law_forces.hasSubscribers())
-    topics_.law_forces.publish(toLawForces(snapshot, world_frame_, stamp), stamp);
+    topics_.law_forces.publish(toLawForces(snapshot, messages_.worldFrame(), stamp), stamp);
   for (const BodyTopics& topics : topics_.bodies) {
     if (isAbsent(topics.body)) continue;
     if (topics.odometry.subscribers())
-      topics.odometry.publish(toOdometry(topics.body, snapshot, stamp), stamp);
+      topics.odometry.publish(messages_.odometry(topics.body, snapshot, stamp), stamp);
     if (topics.applied_wrench.subscribers())
-      topics.applied_wrench.publish(toWrench(topics.body, snapshot, stamp), stamp);
+      topics.applied_wrench.publish(messages_.appliedWrench(topics.body, snapshot, stamp), stamp);
     if (topics.actuators.hasSubscribers())
-      topics.actuators.publish(toActuators(topics.body, snapshot, stamp), stamp);
+      topics.actuators.publish(messages_.actuators(topics.body, snapshot, stamp), stamp);
   }
   publishMotions(snapshot, stamp);
+}
+
+/// All at once: bodies that act on one another share the work.
+void Outputs::publishMotions(const Snapshot& snapshot, const ros::Time& stamp) {
+  std::vector<const BodyTopics*> asked;
+  std::vector<std::size_t> bodies;
+  for (const BodyTopics& topics : topics_.bodies) {
+    if (isAbsent(topics.body)) continue;
+    if (!topics.acceleration.subscribers() && !topics.pivot_force.hasSubscribers()) continue;
+    asked.push_back(&topics);
+    bodies.push_back(topics.body);
+  }
+  if (asked.empty()) return;
+  const std::vector<BodyMotion> motions = snapshot.motions(bodies);
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    const BodyTopics& topics = *asked[k];
+    if (topics.acceleration.subscribers())
+      topics.acceleration.publish(messages_.acceleration(bodies[k], snapshot, motions[k], stamp),
+                                  stamp);
+    if (topics.pivot_force.hasSubscribers())
+      topics.pivot_force.publish(messages_.pivotForce(bodies[k], snapshot, motions[k], stamp),
+                                 stamp);
+  }
 }
 
 void Outputs::setStates(const Snapshot& snapshot, const ros::Time& stamp) {

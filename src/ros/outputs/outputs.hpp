@@ -1,18 +1,17 @@
 #pragma once
 
-#include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
-
-#include <boost/array.hpp>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/scene/scene.hpp>
 
 #include "ros/messages/conversions.hpp"
-#include "ros/messages/tf_frames.hpp"
 #include "ros/options/node_options.hpp"
+#include "ros/outputs/body_markers.hpp"
+#include "ros/outputs/body_messages.hpp"
 #include "ros/outputs/contact_output.hpp"
 #include "ros/outputs/imu_output.hpp"
 #include "ros/outputs/instants.hpp"
@@ -65,8 +64,7 @@ class Outputs {
   void repeatClock();
   void repeatState();
 
-  /// Sends the bodies again if viewers had come at the call before. To be called every second or
-  /// so: rviz drops for good what reaches it before the frames do.
+  /// See BodyMarkers::repeat.
   void repeatBodies();
 
   /// Time has been set to t [s], or its stamps have been moved.
@@ -79,12 +77,8 @@ class Outputs {
   /// Another simulation of the same scene is watched from now on.
   void watch(const Simulation& simulation) { simulation_ = &simulation; }
 
-  /// From now on the frame kFollowed on /tf is where the centre of mass of a body is, its axes
-  /// those of the world: a camera that has it as its target does not turn with the body. It stays
-  /// where it is when nothing is followed any more.
-  static constexpr const char* kFollowed = "followed_body";
-  void follow(std::size_t body) { followed_ = body; }
-  void stopFollowing() { followed_.reset(); }
+  /// See BodyMessages::follow; nothing: no body is followed any more.
+  void follow(std::optional<std::size_t> body) { messages_.follow(body); }
 
   /// Bodies have been moved other than by time.
   void breakTrails() { live_markers_.breakTrails(); }
@@ -103,7 +97,7 @@ class Outputs {
   void greet(const BodyTopics& topics);
   void take(std::size_t body, std::optional<BodyTopics> topics);
   void listBodies();
-  visualization_msgs::MarkerArray presentMarkers() const;
+  std::set<std::string> absentBodies() const;
   bool isAbsent(std::size_t body) const { return simulation_->world().bodies[body].absent; }
   void publishAt(double t, double reach);
   void publishState(double t, bool with_markers);
@@ -113,27 +107,13 @@ class Outputs {
   void setStates(const Snapshot& snapshot, const ros::Time& stamp);
   bool anySubscribers() const;
   Snapshot shown() const { return Snapshot(*simulation_, shownTime()); }
-  tf2_msgs::TFMessage toTransforms(const Snapshot& snapshot, const ros::Time& stamp) const;
-  nav_msgs::Odometry toOdometry(std::size_t body, const Snapshot& snapshot,
-                                const ros::Time& stamp) const;
-  geometry_msgs::WrenchStamped toPivotForce(std::size_t body, const BodyMotion& motion,
-                                            const ros::Time& stamp) const;
-  geometry_msgs::AccelStamped toAcceleration(std::size_t body, const BodyMotion& motion,
-                                             const ros::Time& stamp) const;
-  geometry_msgs::WrenchStamped toWrench(std::size_t body, const Snapshot& snapshot,
-                                        const ros::Time& stamp) const;
-  sensor_msgs::JointState toActuators(std::size_t body, const Snapshot& snapshot,
-                                      const ros::Time& stamp) const;
 
   OutputTopics topics_;
   const Simulation* simulation_;
   const TimeOrigin& origin_;
-  std::string world_frame_;
-  TfFrames frames_;
+  BodyMessages messages_;
   std::vector<std::size_t> listed_;            // bodies taken in, ascending
   std::vector<std::size_t> moving_, present_;  // those of them that move, that are not absent
-  std::optional<std::size_t> followed_;        // by cameras
-  boost::array<double, 36> covariance_{};
   bool publish_clock_;
   bool standing_ = false;
   Instants state_instants_;
@@ -148,11 +128,9 @@ class Outputs {
   ContactOutput contacts_;
   ImuOutput imus_;
   LiveMarkers live_markers_;
-  visualization_msgs::MarkerArray all_bodies_, bodies_;  // those of all, and of those present
-  const std::vector<Body>* followed_bodies_ = nullptr;
-  std::vector<bool> absent_;  // by body, as they are shown
-  std::size_t viewers_ = 0;   // at the last call of repeatBodies
-  bool viewers_are_new_ = false;
+  BodyMarkers markers_;
+  std::vector<bool> absent_;          // by body, as they are shown
+  std::size_t followed_changes_ = 0;  // of the world; see followBodies
 };
 
 }  // namespace rigid_body_sim
