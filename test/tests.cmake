@@ -1,6 +1,9 @@
 # catkin before 0.8.10 gives its targets of an installed googletest the names of several libraries, or
 # of none, in place of a file.
 foreach(library gtest gtest_main gmock)
+  if(NOT TARGET ${library})
+    continue()  # a library that the linker finds
+  endif()
   get_target_property(imported ${library} IMPORTED)
   get_target_property(location ${library} IMPORTED_LOCATION)
   if(imported AND NOT EXISTS "${location}")

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/run/run.hpp"
+#include "support/changed_mass.hpp"
 #include "support/many_bodies.hpp"
 #include "support/same_bits.hpp"
 #include "support/same_state.hpp"
@@ -121,6 +122,14 @@ TEST(PackedRuns, TakeInputsInTheMiddle) {
       linked.axes = 6;
       sim.applyWrench("c", linked);
     });
+    both([](Simulation& sim) {
+      MassProperties lighter = test::propertiesOf(sim.world().bodies[4]);
+      lighter.mass *= 0.5;
+      lighter.I_Bcm *= 0.25;
+      sim.setMassProperties(4, lighter);
+    });
+    both([](Simulation& sim) { sim.setPresent(6, std::nullopt); });
+    both([](Simulation& sim) { sim.setPresent(6, sim.body(0)); });
     both([](Simulation& sim) { sim.reset(false); });
     both([](Simulation& sim) { sim.reset(true); });
   }
