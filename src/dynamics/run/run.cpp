@@ -208,9 +208,7 @@ void Run::load(const State& state) {
 /// std::invalid_argument, and leaves all as it was, where that run cannot be placed there.
 void Run::goOnAs(Run& changed, const State& state) {
   changed.place(state, true);
-  const Groups& before = now_.groups;
-  changed.now_.groups.setCounts(
-      {before.maxSubsteps(), before.magnification(), before.evaluations()});
+  changed.now_.groups.setCounts(now_.counts());
   changed.contacts_ = contacts_;
   *this = std::move(changed);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -48,6 +49,12 @@ struct RunState {
   /// Whether a law acts, as its own states tell.
   bool acts(std::size_t law) const {
     return world->laws[law]->acts(law_states.data() + laws.firstState(law));
+  }
+
+  /// What has been counted of all bodies since the start, in groups and in packs.
+  Groups::Counts counts() const {
+    return {groups.maxSubsteps(), std::max(groups.magnification(), packs.magnification()),
+            groups.evaluations() + packs.evaluations(steps)};
   }
 
   /// State::laws now.

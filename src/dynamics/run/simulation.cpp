@@ -219,16 +219,9 @@ std::vector<MotionPlan> Simulation::plans() const {
 }
 
 ContactTrial Simulation::contactTrial() const { return parts_->run.contactTrial(); }
-int Simulation::maxSubsteps() const { return parts_->run.now().groups.maxSubsteps(); }
-double Simulation::magnification() const {
-  const RunState& now = parts_->run.now();
-  return std::max(now.groups.magnification(), now.packs.magnification());
-}
-
-std::int64_t Simulation::evaluations() const {
-  const RunState& now = parts_->run.now();
-  return now.groups.evaluations() + now.packs.evaluations(now.steps);
-}
+int Simulation::maxSubsteps() const { return parts_->run.now().counts().max_substeps; }
+double Simulation::magnification() const { return parts_->run.now().counts().magnification; }
+std::int64_t Simulation::evaluations() const { return parts_->run.now().counts().evaluations; }
 
 void Simulation::trackError() { parts_->error.emplace(parts_->run); }
 
