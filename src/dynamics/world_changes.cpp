@@ -115,6 +115,9 @@ BodyState keepingMomentum(const Body& before, const Body& after, const BodyState
   const Matrix3d R_NP = X_NP.linear();
   now.q_WP = product(state.q_WP, Quaterniond(R_NP.transpose())).normalized();
   now.L_P = R_NP * state.L_P;
+  // of q and −q, the attitude of the body frame that was
+  if (toBodyFrameMotion(before, state).q_WB.dot(toBodyFrameMotion(after, now).q_WB) < 0)
+    now.q_WP.coeffs() *= -1;
   if (before.pivoted || before.X_BP.translation() == after.X_BP.translation()) return now;
   // from the origin of P to that of N
   const Vector3d d_W = rotate(state.q_WP, Vector3d(X_NP.inverse().translation()));

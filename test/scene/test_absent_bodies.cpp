@@ -100,4 +100,19 @@ TEST(AbsentBody, IsNotFixed) {
   }
 }
 
+TEST(AbsentBody, CanBeSavedWhereNoOtherMoves) {
+  for (const char* how : {"absent: true", "fixed: true"}) {
+    const Scene scene =
+        parseScene("time_step: 1\nbodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 1, " +
+                       std::string(how) + "}]",
+                   "scene.yaml");
+    const World world = buildWorld(scene);
+    Simulation sim(world, initialState(scene, world));
+    sim.step();
+    const State again = parseState(stateText(world, sim.state()), "state", world);
+    EXPECT_EQ(again.t, 1) << how;
+    EXPECT_EQ(Simulation(world, again).time(), 1) << how;
+  }
+}
+
 }  // namespace rigid_body_sim

@@ -31,8 +31,8 @@ class FrameTable {
   /// Adds a frame F at pose X_GF in a frame G of the table, which it moves with.
   void attach(const std::string& name, const std::string& G, const Isometry3d& X_GF);
 
-  /// Gives the frames of a body in its principal frame N, which was P; see MassInput.
-  void reframe(std::size_t body, const Isometry3d& X_NP);
+  /// Gives the frames of a body in its principal frame P, which was another; see MassInput.
+  void setPrincipalFrame(std::size_t body, const Isometry3d& X_BP);
 
   /// Null for an unknown name.
   const FixedFrame* find(const std::string& name) const;
@@ -47,6 +47,7 @@ class FrameTable {
   struct Entry {
     FixedFrame frame;
     std::string body;  // to which it is fixed, moving or not; empty: the world
+    Isometry3d X_BF = Isometry3d::Identity();  // in the body frame, from which X_PF follows
   };
   void put(const std::string& name, const Entry& entry);
 

@@ -84,6 +84,7 @@ void MediumDrag::addStiffness(const std::vector<const Body*>& bodies,
 
 double MediumDrag::rate(const Bodies& at, const std::vector<double>& speeds) const {
   const Coefficients& c = coefficients_;
+  if (!c.quadratic.any()) return 0;  // the speeds may then be left out
   const Body& body = *at.bodies[body_];
   const double speed = speeds[body_] + mediumVelocity(at).norm() +
                        angularVelocity(body.inv_I, at.states[body_].L_P).norm() * c.center_P.norm();

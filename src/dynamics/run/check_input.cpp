@@ -97,6 +97,11 @@ void checkWorld(const World& world) {
   }
 }
 
+void requireFiniteEnergy(const Body& body, const BodyState& state) {
+  require(std::isfinite(kineticEnergy(body, state)), "body '", body.name,
+          "': its kinetic energy must be a finite number; its velocities are too great");
+}
+
 void checkBodyState(const World& world, std::size_t index, const BodyState& s) {
   checkBody(world, index);
   const std::string& body = world.bodies[index].name;

@@ -17,6 +17,9 @@ void checkIndex(const World& world, std::size_t body);
 void checkBody(const World& world, std::size_t body);
 
 void checkBodyState(const World& world, std::size_t body, const BodyState& state);
+
+/// What comes from outside while a run goes on must not make its totals infinite.
+void requireFiniteEnergy(const Body& body, const BodyState& state);
 void checkCommand(const World& world, const ActuatorCommand& command);
 void checkWrench(const World& world, const PointWrench& wrench);
 

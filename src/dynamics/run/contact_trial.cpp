@@ -51,20 +51,26 @@ bool needsContactTrial(const Run& run) {
          run.now().time < solver.horizon && run.contactTrial().step_bound > kLeastContactBound;
 }
 
+/// Of trials whose work ends too early to tell anything, what the one before has shown stays.
 ContactTrial tryContact(const Run& run) {
-  ContactTrial trial = run.contactTrial();
+  const double start = run.now().time, horizon = run.now().world->solver.horizon;
+  ContactTrial found = run.contactTrial();
+  double bound = found.step_bound;
   for (double work = 0; work < kMostWork;) {
     Run tried = run;
-    tried.boundContact(trial);
-    trial = follow(std::move(tried), trial.step_bound, work);
-    if (std::isinf(trial.lost_at) || trial.step_bound <= kLeastContactBound) break;
-    trial = {std::max(trial.step_bound / kCompanionShare, kLeastContactBound)};
-    trial.tried_until = run.now().time;
+    tried.boundContact({bound});
+    const ContactTrial trial = follow(std::move(tried), bound, work);
+    const bool tells_little = trial.tried_until - start < kLeastShare * (horizon - start);
+    const bool is_first = std::isinf(found.lost_at);
+    if (std::isinf(trial.lost_at) && tells_little) {
+      if (is_first) found.tried_until = trial.tried_until;
+      break;
+    }
+    found = trial;
+    if (std::isinf(trial.lost_at) || bound <= kLeastContactBound) break;
+    bound = std::max(bound / kCompanionShare, kLeastContactBound);
   }
-  const double start = run.now().time, horizon = run.now().world->solver.horizon;
-  const bool tells_little = trial.tried_until - start < kLeastShare * (horizon - start);
-  if (std::isinf(trial.lost_at) && tells_little) trial.step_bound = run.contactTrial().step_bound;
-  return trial;
+  return found;
 }
 
 }  // namespace rigid_body_sim

@@ -119,8 +119,10 @@ std::string contactText(const Simulation& simulation) {
   const ContactTrial trial = simulation.contactTrial();
   std::ostringstream text;
   if (std::isfinite(trial.lost_at)) {
-    text << "contact: a trial shows that tolerance " << solver.tolerance << " holds up to "
-         << trial.lost_at << " s only: impacts magnify errors, and steps cannot be tighter";
+    text << "contact: a trial shows that tolerance " << solver.tolerance << " is exceeded by "
+         << trial.lost_at << " s: impacts magnify errors, and "
+         << (trial.step_bound <= kLeastContactBound ? "steps cannot be tighter"
+                                                    : "tighter steps take longer than a trial");
     return text.str();
   }
   const double tighter = contactStepBound(solver.tolerance) / trial.step_bound;
@@ -130,8 +132,9 @@ std::string contactText(const Simulation& simulation) {
   const bool cut_short =
       trial.tried_until > simulation.time() && trial.tried_until < solver.horizon;
   if (cut_short)
-    text << (tighter > 1.5 ? "; " : "contact: ") << "tried up to " << trial.tried_until << " s of "
-         << solver.horizon << " s";
+    text << (tighter > 1.5 ? "; " : "contact: ")
+         << "a trial, whose work is bounded, shows tolerance " << solver.tolerance
+         << " to hold up to " << trial.tried_until << " s of " << solver.horizon << " s";
   return text.str();
 }
 

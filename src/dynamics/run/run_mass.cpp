@@ -18,14 +18,16 @@ MassProperties symmetric(MassProperties properties) {
   return properties;
 }
 
-/// [J], [m/s] and [rad/s] of a body that has become very light may be too great for numbers.
-void requireFiniteMotion(const Body& body, const BodyState& state) {
-  const BodyFrameMotion motion = toBodyFrameMotion(body, state);
+/// [J], [m/s] and [rad/s] of a body that has become very light or heavy may be too great for
+/// numbers.
+void requireFiniteMotion(const World& world, std::size_t i, const State& state) {
+  const Body& body = world.bodies[i];
+  const BodyFrameMotion motion = toBodyFrameMotion(body, state.bodies[i]);
   if (!motion.v_W.allFinite() || !motion.w_W.allFinite() ||
-      !std::isfinite(kineticEnergy(body, state)))
+      !std::isfinite(mechanicalEnergy(world, state)))
     throw std::invalid_argument("body '" + body.name +
                                 "': with the momenta that it keeps, velocities and energy would "
-                                "not be finite; a greater mass or inertia is needed");
+                                "not be finite; another mass or inertia is needed");
 }
 
 }  // namespace
@@ -44,7 +46,7 @@ void Run::setMassProperties(std::size_t body, const MassProperties& properties_B
   const Body& before = now_.world->bodies[body];
   const Body& after = changed.now_.world->bodies[body];
   state.bodies[body] = keepingMomentum(before, after, state.bodies[body]);
-  requireFiniteMotion(after, state.bodies[body]);
+  requireFiniteMotion(*changed.now_.world, body, state);
   constexpr double kNotSolved = -std::numeric_limits<double>::infinity();
   state.anchors[body] = {state.t, state.bodies[body], kNotSolved};
   for (BodySchedule& schedule : state.schedules)

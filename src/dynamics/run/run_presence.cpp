@@ -107,6 +107,7 @@ void Simulation::setPresent(std::size_t body, const std::optional<BodyState>& st
     World with_body = world();
     with_body.bodies[body].absent = false;
     checkBodyState(with_body, body, *state);
+    requireFiniteEnergy(known, *state);
   }
   const Totals before = parts_->balance ? totalsOf(world(), this->state()) : Totals();
   parts_->run.setPresent(body, state);

@@ -148,6 +148,7 @@ void Simulation::clearWrenches(std::size_t body, const std::string& slot) {
 
 void Simulation::setState(std::size_t body, const BodyState& state) {
   checkBodyState(world(), body, state);
+  requireFiniteEnergy(world().bodies[body], state);
   parts_->run.setState(body, state);
   parts_->restartTracking();
 }

@@ -30,12 +30,6 @@ void requireDuration(double duration, const std::string& id) {
   throw std::invalid_argument(fault.str());
 }
 
-std::vector<Isometry3d> principalFrames(const std::vector<Body>& bodies) {
-  std::vector<Isometry3d> X_BP;
-  for (const Body& body : bodies) X_BP.push_back(body.X_BP);
-  return X_BP;
-}
-
 }  // namespace
 
 std::string slotOfId(const std::string& id) { return id.empty() ? "" : "id " + id; }
@@ -43,7 +37,6 @@ std::string slotOfId(const std::string& id) { return id.empty() ? "" : "id " + i
 WrenchIntake::WrenchIntake(const Scene& scene, const std::vector<Body>& bodies,
                            double wrench_timeout, const std::string& tf_prefix)
     : bodies_(&bodies),
-      X_BP_(principalFrames(bodies)),
       world_frame_(scene.world_frame),
       wrench_timeout_(wrench_timeout),
       frames_(scene, bodies) {
@@ -62,9 +55,7 @@ WrenchIntake::WrenchIntake(const Scene& scene, const std::vector<Body>& bodies,
 void WrenchIntake::setBodies(const std::vector<Body>& bodies) {
   bodies_ = &bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (X_BP_[i].matrix() != bodies[i].X_BP.matrix())
-      frames_.reframe(i, bodies[i].X_BP.inverse() * X_BP_[i]);
-  X_BP_ = principalFrames(bodies);
+    if (!bodies[i].fixed) frames_.setPrincipalFrame(i, bodies[i].X_BP);
 }
 
 WrenchInput WrenchIntake::take(const std::string& body, const geometry_msgs::WrenchStamped& message,

@@ -72,7 +72,6 @@ class WrenchIntake {
   double heldFor() const;
 
   const std::vector<Body>* bodies_;
-  std::vector<Isometry3d> X_BP_;  // of the bodies, with which the frames go
   std::string world_frame_;
   double wrench_timeout_;
   FrameTable frames_;

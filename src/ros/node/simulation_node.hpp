@@ -74,10 +74,10 @@ class SimulationNode {
 
   const bool reset_time_;
   Simulation simulation_;
-  std::optional<Simulation> rest_of_step_;  // shown while the simulation is at the step's end
-  std::size_t followed_changes_ = 0;        // of the world; see followBodies
-  bool pulled_ = false;                     // by the mouse, for the next step
-  bool within_step_ = false;                // a state within the next step has been shown
+  std::optional<Simulation> rest_of_step_;       // shown while the simulation is at the step's end
+  std::optional<std::size_t> followed_changes_;  // of the world; see followBodies
+  bool pulled_ = false;                          // by the mouse, for the next step
+  bool within_step_ = false;                     // a state within the next step has been shown
   std::chrono::steady_clock::time_point next_repeat_;  // while time stands
   Refusals refusals_;
   bool paused_;

@@ -61,7 +61,7 @@ bool holdsByTrials(const std::vector<MotionPlan>& plans) {
 bool holdsTolerance(const Simulation& simulation) {
   return isWithinTolerance(simulation.errorEstimate(), simulation.time(),
                            simulation.world().solver) &&
-         holdsByTrials(simulation.plans());
+         holdsByTrials(simulation.plans()) && simulation.time() < simulation.contactTrial().lost_at;
 }
 
 void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper& diagnostic) {

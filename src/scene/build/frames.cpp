@@ -17,9 +17,10 @@ void FrameTable::add(const BodyDef& def, const Body& body, std::size_t index) {
                                      : FixedFrame{index, body.X_BP.inverse()};
   put(def.name, {frame, def.name});
   if (frameOf(def) != def.name) put(frameOf(def), {frame, def.name});
-  for (const PointDef& point : def.points)
-    put(def.name + "/" + point.name,
-        {{frame.body, frame.X_PF * isometry(point.orientation, point.position)}, def.name});
+  for (const PointDef& point : def.points) {
+    const Isometry3d X_BF = isometry(point.orientation, point.position);
+    put(def.name + "/" + point.name, {{frame.body, frame.X_PF * X_BF}, def.name, X_BF});
+  }
 }
 
 void FrameTable::remove(const std::string& body) {
@@ -32,12 +33,13 @@ void FrameTable::remove(const std::string& body) {
 
 void FrameTable::attach(const std::string& name, const std::string& G, const Isometry3d& X_GF) {
   const Entry& parent = frames_.at(G);
-  put(name, {{parent.frame.body, parent.frame.X_PF * X_GF}, parent.body});
+  put(name, {{parent.frame.body, parent.frame.X_PF * X_GF}, parent.body, parent.X_BF * X_GF});
 }
 
-void FrameTable::reframe(std::size_t body, const Isometry3d& X_NP) {
+void FrameTable::setPrincipalFrame(std::size_t body, const Isometry3d& X_BP) {
+  const Isometry3d X_PB = X_BP.inverse();
   for (auto& [name, entry] : frames_)
-    if (entry.frame.body == body) entry.frame.X_PF = X_NP * entry.frame.X_PF;
+    if (entry.frame.body == body) entry.frame.X_PF = X_PB * entry.X_BF;
 }
 
 const FixedFrame* FrameTable::find(const std::string& name) const {

@@ -7,6 +7,7 @@
 #include <rigid_body_sim/scene/scene_error.hpp>
 #include <rigid_body_sim/scene/state_file.hpp>
 
+#include "dynamics/run/contact_bound.hpp"
 #include "dynamics/world_changes.hpp"
 #include "math/shortest.hpp"
 #include "scene/limits.hpp"
@@ -208,7 +209,8 @@ const std::vector<Key<Whole>>& keysOfState() {
       {"contact_bound",
        [](const Entry& e, Whole& s) {
          s.value.contact_bound = readNumber(e, "");
-         if (!(s.value.contact_bound > 0)) e.failRule("must be > 0");
+         if (!(s.value.contact_bound >= kLeastContactBound && s.value.contact_bound <= 1))
+           e.failRule("must be from 1e-14 to 1");
        },
        false},
       {kLastKey,

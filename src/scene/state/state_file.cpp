@@ -7,6 +7,7 @@
 #include <rigid_body_sim/scene/scene_error.hpp>
 #include <rigid_body_sim/scene/state_file.hpp>
 
+#include "dynamics/world_changes.hpp"
 #include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/state/state_format.hpp"
@@ -37,7 +38,13 @@ void requireWritten(const std::string& path, const std::error_code& fault) {
 }  // namespace
 
 std::string stateText(const World& world, const State& state) {
-  const bool lacks_plans = state.plans.empty() && !state.anchors.empty();
+  bool any_moves = false;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const bool is_changed = i < state.changes.size() && state.changes[i].absent;
+    const bool absent = is_changed ? *state.changes[i].absent : unchangedBodies(world)[i].absent;
+    any_moves = any_moves || !(world.bodies[i].fixed || absent);
+  }
+  const bool lacks_plans = state.plans.empty() && !state.anchors.empty() && any_moves;
   const bool lacks_schedules =
       state.schedules.empty() && !(world.wrenches.empty() && world.commands.empty());
   if (state.bodies.size() != world.bodies.size() || lacks_plans || lacks_schedules)

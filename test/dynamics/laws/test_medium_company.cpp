@@ -89,4 +89,19 @@ TEST(MediumDrag, IsHeldToTheToleranceBesideMotorsTethersAndContact) {
   }
 }
 
+// Their rates grow with speed, or not, law by law.
+TEST(MediumDrag, WithoutAQuadraticPartIsSteppedBesideOtherLaws) {
+  for (const auto& make : {motorised, bouncing}) {
+    Bench bench = make();
+    MediumDrag::Coefficients drag = test::detail::everyDrag(test::Placement());
+    drag.quadratic = {};
+    for (auto& law : bench.world.laws)
+      if (law->name() == std::string("drag"))
+        law = std::make_shared<MediumDrag>(0, drag, Vector3d(-2, 3, 1));
+    bench.world.solver.tolerance = 1e-12;
+    const State truth = bench.run("dop853", kCompanyTime, 400);
+    EXPECT_LE(companyGap(bench.run("dop853", kCompanyTime, 200), truth), 1e-9);
+  }
+}
+
 }  // namespace rigid_body_sim

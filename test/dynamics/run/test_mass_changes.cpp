@@ -93,7 +93,7 @@ TEST(MassChange, IsRefusedWhereVelocitiesWouldNotBeFinite) {
                                      MassProperties{2, known.com_B, 1e-310 * known.I_Bcm}})
     EXPECT_EQ(refusalOfMass(sim, 0, dust),
               "body 'ship': with the momenta that it keeps, velocities and energy would not be "
-              "finite; a greater mass or inertia is needed");
+              "finite; another mass or inertia is needed");
 }
 
 TEST(MassChange, LeavesOtherBodiesTheirBits) {
@@ -208,6 +208,30 @@ TEST(MassChange, IsRefusedByALawThatDoesNotFollow) {
                 .find("does not follow a change of mass properties"),
             std::string::npos);
   EXPECT_EQ(refusalOfMass(sim, 1, test::loaded(sim.world().bodies[1], 1, {0, 0, 0}, 0.1)), "");
+}
+
+TEST(MassChange, IsRefusedWhereEnergyWouldNotBeFinite) {
+  Simulation sim = stepped(twoFlyers().simulation("auto", kChangeStep), 3);
+  MassProperties given = test::propertiesOf(sim.world().bodies[0]);
+  given.mass = 1e308;
+  EXPECT_NE(refusalOfMass(sim, 0, given).find("would not be finite"), std::string::npos);
+  BodyState fast = sim.body(0);
+  fast.p_W = {0, 0, 1e200};
+  EXPECT_THROW(sim.setState(0, fast), std::invalid_argument);
+  EXPECT_NE(sim.body(0).p_W, fast.p_W);
+}
+
+TEST(MassChange, KeepsTheSignOfTheAttitude) {
+  Simulation sim = twoFlyers().simulation("auto", kChangeStep);
+  for (int i = 0; i < 20; ++i) {
+    const Quaterniond before = toBodyFrameMotion(sim.world().bodies[0], sim.body(0)).q_WB;
+    MassProperties turned = test::propertiesOf(sim.world().bodies[0]);
+    const Matrix3d R(Eigen::AngleAxisd(0.7 * i, Vector3d(1, 2, 3).normalized()));
+    turned.I_Bcm = R * turned.I_Bcm * R.transpose();
+    sim.setMassProperties(0, turned);
+    EXPECT_GT(before.dot(toBodyFrameMotion(sim.world().bodies[0], sim.body(0)).q_WB), 0) << i;
+    sim.step();
+  }
 }
 
 }  // namespace rigid_body_sim
