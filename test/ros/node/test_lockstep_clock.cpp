@@ -72,8 +72,8 @@ TEST_F(OneClock, NoneRunsAheadOfTheOther) {
   const auto isAhead = [&] {
     return of_leader.back().header.stamp > of_follower.back().header.stamp + ros::Duration(0.02);
   };
-  // time for a leader that does not wait to run ahead, and for messages on their way, of which those
-  // of one node may come before those of the other
+  // time for a leader that does not wait to run ahead, and for messages on their way, of which
+  // those of one node may come before those of the other
   NodeDriver::waitFor([] { return false; }, 0.3);
   EXPECT_FALSE(isAhead());
   const ros::Time stood = of_leader.back().header.stamp;
