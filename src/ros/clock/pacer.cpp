@@ -1,5 +1,7 @@
 #include "ros/clock/pacer.hpp"
 
+#include <algorithm>
+
 namespace rigid_body_sim {
 
 void Pacer::restart(double t, Clock::time_point now) {
@@ -7,9 +9,10 @@ void Pacer::restart(double t, Clock::time_point now) {
   origin_ = now;
 }
 
-void Pacer::setFactor(double real_time_factor, double t, Clock::time_point now) {
+void Pacer::setFactor(double real_time_factor, double next, Clock::time_point now) {
   const double elapsed = std::chrono::duration<double>(now - origin_).count();
-  restart(real_time_factor_ > 0 ? origin_t_ + elapsed * real_time_factor_ : t, now);
+  const double due = origin_t_ + elapsed * real_time_factor_;
+  restart(real_time_factor_ > 0 ? std::min(due, next) : next, now);
   real_time_factor_ = real_time_factor;
 }
 

@@ -18,9 +18,10 @@ class Pacer {
   /// Simulation time t [s] is now.
   void restart(double t, Clock::time_point now);
 
-  /// Another factor from now on. What is due stays due and nothing else becomes due: time runs on
-  /// from where it is. Where every step was due at once, that is t [s].
-  void setFactor(double real_time_factor, double t, Clock::time_point now);
+  /// Another factor from now on: time runs on from where it is. next [s]: the time that the next
+  /// step reaches. It stays due where it is; later ones are not, so that what has fallen behind at
+  /// the old factor is not caught up at the new one.
+  void setFactor(double real_time_factor, double next, Clock::time_point now);
 
   /// Wall time [s] from now until the step that reaches t is due; not above 0: it is.
   double wait(double t, Clock::time_point now) const;

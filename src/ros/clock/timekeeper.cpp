@@ -58,7 +58,7 @@ void Timekeeper::waitForClock(ros::CallbackQueue& queue) const {
 
 void Timekeeper::restart(double t) { pacer_.restart(t, Pacer::Clock::now()); }
 
-std::string Timekeeper::setRealTimeFactor(double factor, double t) {
+std::string Timekeeper::setRealTimeFactor(double factor, double next) {
   if (!(factor >= 0) || !std::isfinite(factor)) {
     std::ostringstream fault;
     fault << "factor must be a finite number >= 0, got " << factor;
@@ -66,7 +66,7 @@ std::string Timekeeper::setRealTimeFactor(double factor, double t) {
   }
   if (clock_) return "this node follows the /clock of another node, which sets the pace";
   options_.real_time_factor = factor;
-  pacer_.setFactor(factor, t, Pacer::Clock::now());
+  pacer_.setFactor(factor, next, Pacer::Clock::now());
   return "";
 }
 

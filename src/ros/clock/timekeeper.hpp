@@ -32,9 +32,9 @@ class Timekeeper {
   /// Simulated over wall time, as it is set; 0: as fast as possible.
   double realTimeFactor() const { return options_.real_time_factor; }
 
-  /// Sets it while simulation time t [s] is shown: time runs on from there. Returns why it is
-  /// refused, and stays what it was; empty if it is not.
-  std::string setRealTimeFactor(double factor, double t);
+  /// Sets it before the step that reaches the simulation time next [s]; time runs on from where it
+  /// is. Returns why it is refused, and stays what it was; empty if it is not.
+  std::string setRealTimeFactor(double factor, double next);
 
   /// Simulation time has become t [s], whatever it was. Where the stamps do not count from zero,
   /// that of the state there follows the given one by a time step of h [s].

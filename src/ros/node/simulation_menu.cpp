@@ -50,7 +50,7 @@ void SimulationNode::pauseAndStep(std::uint32_t steps) {
 }
 
 void SimulationNode::changeRealTimeFactor(double factor) {
-  const std::string fault = time_.setRealTimeFactor(factor, outputs_.shownTime());
+  const std::string fault = time_.setRealTimeFactor(factor, nextTime());
   refusals_.check("menu", fault);
   if (fault.empty())
     ROS_INFO("real-time factor %g%s", factor, factor == 0 ? ": as fast as possible" : "");

@@ -85,7 +85,7 @@ std::string SimulationNode::stepFault() const {
 
 bool SimulationNode::setRealTimeFactor(SetRealTimeFactor::Request& request,
                                        SetRealTimeFactor::Response& response) {
-  response.message = time_.setRealTimeFactor(request.factor, outputs_.shownTime());
+  response.message = time_.setRealTimeFactor(request.factor, nextTime());
   response.success = response.message.empty();
   return true;
 }

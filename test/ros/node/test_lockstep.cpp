@@ -113,11 +113,11 @@ TEST(Lockstep, ClosesTheLoopWithTheSameBytesAtEveryPace) {
   Controller fastest("/fastest"), seven_times("/seven_times");
   // the pace may change, too, while the node waits: it waits for this test now
   ASSERT_TRUE(NodeDriver::waitFor([&] { return seven_times.received.size() > 20; }));
-  EXPECT_EQ(setFactor("/seven_times/node", 0.5), "");
   const std::size_t before = seven_times.received.size();
   const ros::WallTime begin = ros::WallTime::now();
+  EXPECT_EQ(setFactor("/seven_times/node", 0.5), "");
   ASSERT_TRUE(NodeDriver::waitFor([&] { return seven_times.received.size() > before + 20; }));
-  // 0.2 s of simulation time, less what was on its way
+  // 0.2 s of simulation time, less the states that were on their way: two, and the step due then
   EXPECT_GT((ros::WallTime::now() - begin).toSec(), 0.3);
   EXPECT_EQ(setFactor("/seven_times/node", 0), "");
   for (Controller* controller : {&fastest, &seven_times}) {
