@@ -26,6 +26,22 @@ std::set<int> trailIds(const MarkerArray& message, int action) {
   return ids;
 }
 
+/// A run of which only live markers are published.
+struct MarkedRun : test::PublishedRun {
+  MarkedRun() : test::PublishedRun(0.01) {}
+
+  void publish() {
+    simulation.step();
+    markers.publish(Snapshot(simulation, simulation.time()), ros::Time(1));
+  }
+
+  MarkerArray message;
+  LiveMarkers markers{
+      {[] { return 1; }, [this](const MarkerArray& all, const ros::Time&) { message = all; }},
+      "world",
+      {"box", "ball", "post"}};
+};
+
 }  // namespace
 
 TEST(Outputs, LeaveOutABodyThatIsRemovedUntilItIsAddedAgain) {
@@ -54,54 +70,38 @@ TEST(Outputs, LeaveOutABodyThatIsRemovedUntilItIsAddedAgain) {
 }
 
 TEST(LiveMarkers, DeleteTheTrailOfABodyThatIsRemoved) {
-  test::PublishedRun run(0.01);
-  MarkerArray message;
-  LiveMarkers markers(
-      {[] { return 1; }, [&](const MarkerArray& all, const ros::Time&) { message = all; }}, "world",
-      {"box", "ball", "post"});
-  markers.add(0, 0.1);
-  markers.add(1, 0.1);
-  const auto publish = [&] {
-    run.simulation.step();
-    markers.publish(Snapshot(run.simulation, run.simulation.time()), ros::Time(1));
-  };
-  publish();
-  publish();
-  EXPECT_EQ(trailIds(message, Marker::ADD).size(), 2U);
+  MarkedRun run;
+  run.markers.add(0, 0.1);
+  run.markers.add(1, 0.1);
+  run.publish();
+  run.publish();
+  EXPECT_EQ(trailIds(run.message, Marker::ADD).size(), 2U);
 
-  markers.remove(0);
-  publish();
-  const std::set<int> of_ball = trailIds(message, Marker::ADD);
-  const std::set<int> deleted = trailIds(message, Marker::DELETE);
+  run.markers.remove(0);
+  run.publish();
+  const std::set<int> of_ball = trailIds(run.message, Marker::ADD);
+  const std::set<int> deleted = trailIds(run.message, Marker::DELETE);
   EXPECT_EQ(of_ball.size(), 1U);
   EXPECT_EQ(deleted.size(), static_cast<std::size_t>(Trail::kStrips));
   EXPECT_EQ(deleted.count(*of_ball.begin()), 0U);
-  publish();
-  EXPECT_TRUE(trailIds(message, Marker::DELETE).empty());
+  run.publish();
+  EXPECT_TRUE(trailIds(run.message, Marker::DELETE).empty());
 }
 
 TEST(LiveMarkers, DeleteTheTrailOfABodyThatLeavesAndBeginAnotherWhereItComesIn) {
-  test::PublishedRun run(0.01);
-  MarkerArray message;
-  LiveMarkers markers(
-      {[] { return 1; }, [&](const MarkerArray& all, const ros::Time&) { message = all; }}, "world",
-      {"box", "ball", "post"});
-  markers.add(0, 0.1);
-  const auto publish = [&] {
-    run.simulation.step();
-    markers.publish(Snapshot(run.simulation, run.simulation.time()), ros::Time(1));
-  };
-  for (int i = 0; i < 3; ++i) publish();
-  EXPECT_EQ(message.markers.back().points.size(), 3U);
+  MarkedRun run;
+  run.markers.add(0, 0.1);
+  for (int i = 0; i < 3; ++i) run.publish();
+  EXPECT_EQ(run.message.markers.back().points.size(), 3U);
   run.simulation.setPresent(0, std::nullopt);
-  markers.endTrail(0);
-  publish();
-  EXPECT_EQ(trailIds(message, Marker::DELETE).size(), static_cast<std::size_t>(Trail::kStrips));
-  EXPECT_EQ(trailIds(message, Marker::ADD).size(), 0U);
+  run.markers.endTrail(0);
+  run.publish();
+  EXPECT_EQ(trailIds(run.message, Marker::DELETE).size(), static_cast<std::size_t>(Trail::kStrips));
+  EXPECT_EQ(trailIds(run.message, Marker::ADD).size(), 0U);
   run.simulation.setPresent(0, initialState(run.scene, run.world).bodies[0]);
-  for (int i = 0; i < 2; ++i) publish();
-  EXPECT_TRUE(trailIds(message, Marker::DELETE).empty());
-  EXPECT_EQ(message.markers.back().points.size(), 2U);  // none from where it left
+  for (int i = 0; i < 2; ++i) run.publish();
+  EXPECT_TRUE(trailIds(run.message, Marker::DELETE).empty());
+  EXPECT_EQ(run.message.markers.back().points.size(), 2U);  // none from where it left
 }
 
 TEST(Outputs, AreSilentOfABodyThatIsAbsent) {

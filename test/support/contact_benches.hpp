@@ -83,6 +83,19 @@ inline BodyFrameMotion motionAt(const Vector3d& x_W, const Vector3d& v_W = Vecto
   return motion;
 }
 
+/// Two balls, one nearly above the other, over ground that they fall on; they touch each other,
+/// too. x, y [m]: how far the upper one is to the side.
+inline Bench stackedBalls(double x, double y) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  bench.world.solver.tolerance = 1e-4;
+  const ContactParameters c = contactOf(1e4, 1.5, 0.5, 0.3);
+  addBall(bench, 0.1, 1, motionAt({0, 0, 0.15}), HalfSpace{}, c);
+  addBall(bench, 0.1, 1, motionAt({x, y, 0.4}), HalfSpace{}, c);
+  letTouch(bench, 0, 0.1, 1, 0.1, c);
+  return bench;
+}
+
 /// With auto, at a stated tolerance, and at the steps that it asks for before any trial.
 inline Simulation simulationAt(Bench bench, double tolerance, double time_step) {
   bench.initial.contact_bound = contactStepBound(tolerance);

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -92,6 +94,19 @@ inline void expectSameState(const State& a, const State& b) {
   for (std::size_t i = 0; i < a.plans.size(); ++i) expectSamePlan(a.plans[i], b.plans[i]);
   EXPECT_EQ(a.near_laws, b.near_laws);
   EXPECT_EQ(a.changes, b.changes);
+}
+
+/// What a change of a run is refused with, which leaves all of its state; empty if it is not.
+template <class Change>
+std::string refusalThatChangesNothing(Simulation& sim, Change change) {
+  const State before = sim.state();
+  try {
+    change();
+  } catch (const std::invalid_argument& refused) {
+    expectSameState(sim.state(), before);
+    return refused.what();
+  }
+  return "";
 }
 
 /// A run taken up from its own state after that many steps has the bits of the whole, 50 steps on.

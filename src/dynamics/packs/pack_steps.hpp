@@ -97,24 +97,15 @@ RIGID_BODY_SIM_INLINE void kickMoveKick(double h, PackLanes<T>& lanes) {
   lanes.put(kMomentumColumn, p + push);
 }
 
-template <int i, class T>
-RIGID_BODY_SIM_INLINE T& component(Triple<T>& v) {
+/// Component i modulo 3 of a triple, or of the vector part of a quad.
+template <int i, class Components>
+RIGID_BODY_SIM_INLINE auto& component(Components& v) {
   if constexpr (i % 3 == 0)
     return v.x;
   else if constexpr (i % 3 == 1)
     return v.y;
   else
     return v.z;
-}
-
-template <int i, class T>
-RIGID_BODY_SIM_INLINE T& component(Quad<T>& q) {
-  if constexpr (i % 3 == 0)
-    return q.x;
-  else if constexpr (i % 3 == 1)
-    return q.y;
-  else
-    return q.z;
 }
 
 template <int i, class T>

@@ -70,16 +70,9 @@ Bench threeBodies() {
 }
 
 Bench ballsAndBox() {
-  Bench bench;
-  bench.world.g_W = {0, 0, -9.81};
-  bench.world.solver.tolerance = 1e-4;
-  const ContactParameters c = test::contactOf(1e4, 1.5, 0.5, 0.3);
-  for (int i = 0; i < 2; ++i)
-    test::addBall(bench, 0.1, 1, test::motionAt({0.02 * i, 0.01 * i, 0.15 + 0.25 * i}), HalfSpace{},
-                  c);
-  bench.world.laws.push_back(
-      contactOfBalls(bench.world.bodies, 0, test::ballShape(0.1), 1, test::ballShape(0.1), c));
-  test::addBox(bench, {0.2, 0.3, 0.1}, 1, test::motionAt({2, 0, 0.06}), HalfSpace{}, c);
+  Bench bench = test::stackedBalls(0.02, 0.01);
+  test::addBox(bench, {0.2, 0.3, 0.1}, 1, test::motionAt({2, 0, 0.06}), HalfSpace{},
+               test::contactOf(1e4, 1.5, 0.5, 0.3));
   return bench;
 }
 

@@ -38,14 +38,7 @@ Simulation stepped(Simulation sim, int steps) {
 }
 
 std::string refusalOfMass(Simulation& sim, std::size_t body, const MassProperties& properties) {
-  const State before = sim.state();
-  try {
-    sim.setMassProperties(body, properties);
-  } catch (const std::invalid_argument& refused) {
-    test::expectSameState(sim.state(), before);
-    return refused.what();
-  }
-  return "";
+  return test::refusalThatChangesNothing(sim, [&] { sim.setMassProperties(body, properties); });
 }
 
 }  // namespace

@@ -37,29 +37,9 @@ Bench threeOfWhichTwoAreLinked() {
   return bench;
 }
 
-/// A ball that falls onto the ground, and one above it.
-Bench ballsOverGround() {
-  Bench bench;
-  bench.world.g_W = {0, 0, -9.81};
-  bench.world.solver.tolerance = 1e-4;
-  const ContactParameters c = test::contactOf(1e4, 1.5, 0.5, 0.3);
-  for (int i = 0; i < 2; ++i)
-    test::addBall(bench, 0.1, 1, test::motionAt({0.02 * i, 0, 0.15 + 0.25 * i}), HalfSpace{}, c);
-  bench.world.laws.push_back(
-      contactOfBalls(bench.world.bodies, 0, test::ballShape(0.1), 1, test::ballShape(0.1), c));
-  return bench;
-}
-
 std::string refusalOfPresence(Simulation& sim, std::size_t body,
                               const std::optional<BodyState>& state) {
-  const State before = sim.state();
-  try {
-    sim.setPresent(body, state);
-  } catch (const std::invalid_argument& refused) {
-    test::expectSameState(sim.state(), before);
-    return refused.what();
-  }
-  return "";
+  return test::refusalThatChangesNothing(sim, [&] { sim.setPresent(body, state); });
 }
 
 std::string refusalOfInput(Simulation& sim, const SimulationInput& input) {
@@ -146,7 +126,7 @@ TEST(Presence, EndsWithAReset) {
 }
 
 TEST(Presence, GoesOnWithTheSameBitsFromAState) {
-  for (const Bench& bench : {threeOfWhichTwoAreLinked(), ballsOverGround()}) {
+  for (const Bench& bench : {threeOfWhichTwoAreLinked(), test::stackedBalls(0.02, 0)}) {
     const Simulation start = bench.simulation("auto", kPresenceStep);
     Simulation whole = advanced(start, 20);
     const BodyState back = whole.body(1);
@@ -168,7 +148,7 @@ TEST(Presence, GoesOnWithTheSameBitsFromAState) {
 }
 
 TEST(Presence, ABodyThatComesInTouchesWhatIsThere) {
-  Bench bench = ballsOverGround();
+  Bench bench = test::stackedBalls(0.02, 0);
   bench.world.bodies[1].absent = true;
   Simulation sim = advanced(bench.simulation("auto", kPresenceStep), 200);
   sim.setPresent(1, toBodyState(bench.world.bodies[1], test::motionAt({0, 0, 0.5})));
