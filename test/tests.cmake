@@ -4,6 +4,10 @@ foreach(library gtest gtest_main gmock)
   if(NOT TARGET ${library})
     continue()  # a library that the linker finds
   endif()
+  get_target_property(type ${library} TYPE)
+  if(type STREQUAL INTERFACE_LIBRARY)
+    continue()  # without a file; CMake before 3.19 takes the question for a fault
+  endif()
   get_target_property(imported ${library} IMPORTED)
   get_target_property(location ${library} IMPORTED_LOCATION)
   if(imported AND NOT EXISTS "${location}")
