@@ -99,9 +99,9 @@ RIGID_BODY_SIM_INLINE void expandDrivenAsAsked(const TaylorEquations<T>& equatio
 
 /// Horner's rule without the constant term.
 template <class T>
-RIGID_BODY_SIM_INLINE void evaluate(const TaylorSeries<T>& series, bool turned, std::size_t degree,
-                                    T s, TaylorIncrements<T>& increments) {
-  Lanes<T> w, q, squares, crosses, turns;
+RIGID_BODY_SIM_INLINE void evaluateMotion(const TaylorSeries<T>& series, std::size_t degree, T s,
+                                          TaylorIncrements<T>& increments) {
+  Lanes<T> w, q;
   load<T>(series.w[degree], w);
   load<T>(series.q[degree], q);
   Lanes<T> c = w;  // or GCC warns where it instruments for threads
@@ -113,21 +113,43 @@ RIGID_BODY_SIM_INLINE void evaluate(const TaylorSeries<T>& series, bool turned, 
   }
   store<T>(w * s, increments.w);
   store<T>(q * s, increments.q);
-  if (!turned) return;
-  load<T>(series.squares[degree], squares);
-  load<T>(series.crosses[degree], crosses);
-  load<T>(series.turns[degree], turns);
-  for (std::size_t k = degree - 1; k > 0; --k) {
-    load<T>(series.squares[k], c);
-    squares = c + squares * s;
-    load<T>(series.crosses[k], c);
-    crosses = c + crosses * s;
-    load<T>(series.turns[k], c);
-    turns = c + turns * s;
+}
+
+/// The same of the products of components of q and, if wanted, of their integrals.
+template <class T, bool kIntegrated>
+RIGID_BODY_SIM_INLINE void evaluateProducts(const TaylorSeries<T>& series, std::size_t degree, T s,
+                                            TaylorIncrements<T>& gain) {
+  using Coefficient = const T(*)[4];
+  const Coefficient of[] = {series.squares, series.crosses, series.turns};
+  Lanes<T> sum[3], whole[3], c;
+  for (int j = 0; j < 3; ++j) {
+    load<T>(of[j][degree], sum[j]);
+    if constexpr (kIntegrated) whole[j] = sum[j] * kInverse<T>[degree + 1];
   }
-  store<T>(squares * s, increments.squares);
-  store<T>(crosses * s, increments.crosses);
-  store<T>(turns * s, increments.turns);
+  c = sum[0];
+  for (std::size_t k = degree - 1; k > 0; --k)
+    for (int j = 0; j < 3; ++j) {
+      load<T>(of[j][k], c);
+      sum[j] = c + sum[j] * s;
+      if constexpr (kIntegrated) whole[j] = c * kInverse<T>[k + 1] + whole[j] * s;
+    }
+  store<T>(sum[0] * s, gain.squares);
+  store<T>(sum[1] * s, gain.crosses);
+  store<T>(sum[2] * s, gain.turns);
+  if constexpr (!kIntegrated) return;
+  store<T>(whole[0] * (s * s), gain.integrals.squares);
+  store<T>(whole[1] * (s * s), gain.integrals.crosses);
+  store<T>(whole[2] * (s * s), gain.integrals.turns);
+}
+
+template <class T>
+RIGID_BODY_SIM_INLINE void evaluate(const TaylorSeries<T>& series, TaylorGains wanted,
+                                    std::size_t degree, T s, TaylorIncrements<T>& increments) {
+  evaluateMotion(series, degree, s, increments);
+  if (wanted == TaylorGains::kProducts)
+    evaluateProducts<T, false>(series, degree, s, increments);
+  else if (wanted == TaylorGains::kIntegrals)
+    evaluateProducts<T, true>(series, degree, s, increments);
 }
 
 #if defined(__x86_64__)
@@ -148,10 +170,10 @@ RIGID_BODY_SIM_WIDE void expandDrivenWide(const TaylorEquations<double>& equatio
   expandDrivenAsAsked(equations, drive, degree, series);
 }
 
-RIGID_BODY_SIM_WIDE void evaluateWide(const TaylorSeries<double>& series, bool turned,
+RIGID_BODY_SIM_WIDE void evaluateWide(const TaylorSeries<double>& series, TaylorGains wanted,
                                       std::size_t degree, double s,
                                       TaylorIncrements<double>& increments) {
-  evaluate(series, turned, degree, s, increments);
+  evaluate(series, wanted, degree, s, increments);
 }
 
 bool hasWideLanes() {
@@ -189,13 +211,13 @@ void expandDriven(const TaylorEquations<T>& equations, TaylorDrive<T>& drive, st
 }
 
 template <class T>
-void evaluateTaylor(const TaylorSeries<T>& series, bool turned, std::size_t degree, T s,
+void evaluateTaylor(const TaylorSeries<T>& series, TaylorGains wanted, std::size_t degree, T s,
                     TaylorIncrements<T>& increments) {
 #if defined(__x86_64__)
   if constexpr (std::is_same_v<T, double>)
-    if (hasWideLanes()) return evaluateWide(series, turned, degree, s, increments);
+    if (hasWideLanes()) return evaluateWide(series, wanted, degree, s, increments);
 #endif
-  evaluate(series, turned, degree, s, increments);
+  evaluate(series, wanted, degree, s, increments);
 }
 
 template void expandTaylor(const TaylorEquations<double>&, bool, std::size_t,
@@ -208,9 +230,9 @@ template void expandDriven(const TaylorEquations<long double>&, TaylorDrive<long
                            std::size_t, TaylorSeries<long double>&);
 template void expandTaylorNarrow(const TaylorEquations<double>&, bool, std::size_t,
                                  TaylorSeries<double>&);
-template void evaluateTaylor(const TaylorSeries<double>&, bool, std::size_t, double,
+template void evaluateTaylor(const TaylorSeries<double>&, TaylorGains, std::size_t, double,
                              TaylorIncrements<double>&);
-template void evaluateTaylor(const TaylorSeries<long double>&, bool, std::size_t, long double,
-                             TaylorIncrements<long double>&);
+template void evaluateTaylor(const TaylorSeries<long double>&, TaylorGains, std::size_t,
+                             long double, TaylorIncrements<long double>&);
 
 }  // namespace rigid_body_sim

@@ -13,7 +13,14 @@ namespace rigid_body_sim {
 template <class T>
 struct TaylorIncrements {
   T w[4], q[4], squares[4], crosses[4], turns[4];
+  /// Of the integrals of squares, crosses and turns over the time of the series.
+  struct Integrals {
+    T squares[4], crosses[4], turns[4];
+  } integrals;
 };
+
+/// Which of them are wanted: those of the products of q, and their integrals.
+enum class TaylorGains { kMotion, kProducts, kIntegrals };
 
 /// Fills in the coefficients 1 to `degree` from those of degree 0, the equations in the same unit
 /// of time as the series:
@@ -34,9 +41,9 @@ template <class T>
 void expandDriven(const TaylorEquations<T>& equations, TaylorDrive<T>& drive, std::size_t degree,
                   TaylorSeries<T>& series);
 
-/// The series at time s, by Horner's rule; of the products only if turned.
+/// The series at time s, by Horner's rule.
 template <class T>
-void evaluateTaylor(const TaylorSeries<T>& series, bool turned, std::size_t degree, T s,
+void evaluateTaylor(const TaylorSeries<T>& series, TaylorGains wanted, std::size_t degree, T s,
                     TaylorIncrements<T>& increments);
 
 }  // namespace rigid_body_sim

@@ -5,6 +5,7 @@
 
 #include "dynamics/taylor/taylor_recursion.hpp"
 #include "dynamics/taylor/taylor_terms.hpp"
+#include "math/always_inline.hpp"
 #include "math/two_sum.hpp"
 
 namespace rigid_body_sim {
@@ -15,11 +16,6 @@ Vector3<T> vectorOf(const T (&lanes)[n]) {
   return Vector3<T>(lanes[0], lanes[1], lanes[2]);
 }
 
-template <class T>
-Array4<T> arrayOf(const T (&lanes)[4]) {
-  return Array4<T>(lanes[0], lanes[1], lanes[2], lanes[3]);
-}
-
 template <class T, int n, class V>
 void assign(T (&to)[n], const V& from) {
   for (int i = 0; i < 3; ++i) to[i] = from[i];
@@ -27,7 +23,7 @@ void assign(T (&to)[n], const V& from) {
 }
 
 template <class T>
-T maxAbs(const T (&lanes)[4]) {
+RIGID_BODY_SIM_INLINE T maxAbs(const T (&lanes)[4]) {
   return std::max(std::max(std::abs(lanes[0]), std::abs(lanes[1])),
                   std::max(std::abs(lanes[2]), std::abs(lanes[3])));
 }
@@ -110,19 +106,26 @@ template <class T>
 void TaylorSegmentT<T>::startAnew(const HeldWrench& same_wrench, const BodyStateT<T>& start,
                                   T horizon) {
   const T rate = begin(same_wrench, start, T(0));
-  const T time_unit = T(1) / rate_unit_;
-  TaylorEquations<T> equations = scaled(equations_, time_unit);
-  TaylorPull<T> pull;
-  if (pulled_) {
-    pull = scaled(pull_, time_unit);
-    equations.pull = &pull;
-  }
-
   const T angle = rate * horizon;
   const T precision = precisionFor(rate, angle);
   degree_ = degreeFor(angle, precision, kHighestTaylorDegree);
-  expandTaylor(equations, turned_, degree_, series_);
-  valid_for_ = length(precision) * time_unit;
+  expand();
+  valid_for_ = length(precision) / rate_unit_;
+}
+
+template <class T>
+void TaylorSegmentT<T>::expand() {
+  if (pulled_) {
+    TaylorEquations<T> equations = scaledEquations();
+    const TaylorPull<T> pull = scaledPull();
+    equations.pull = &pull;
+    return expandTaylor(equations, turned_, degree_, series_);
+  }
+  if (scaled_to_ != rate_unit_) {
+    scaled_ = scaledEquations();
+    scaled_to_ = rate_unit_;
+  }
+  expandTaylor(scaled_, turned_, degree_, series_);
 }
 
 template <class T>
@@ -241,7 +244,10 @@ template <class T>
 BodyStateT<T> TaylorSegmentT<T>::at(T dt) const {
   const T s = rate_unit_ * dt, time_unit = T(1) / rate_unit_;
   TaylorIncrements<T> gain;
-  evaluateTaylor(series_, turned_, degree_, s, gain);
+  const TaylorGains wanted = body_force_ ? TaylorGains::kIntegrals
+                             : turned_   ? TaylorGains::kProducts
+                                         : TaylorGains::kMotion;
+  evaluateTaylor(series_, wanted, degree_, s, gain);
   BodyStateT<T> state;
   state.L_P = start_.L_P + I_.cwiseProduct(vectorOf(gain.w) * rate_unit_);
   for (int i = 0; i < 4; ++i) state.q_WP.coeffs()[i] = series_.q[0][i] + gain.q[i];
@@ -257,7 +263,7 @@ BodyStateT<T> TaylorSegmentT<T>::at(T dt) const {
     if (pulled_) dL += pulledMoment(s) * time_unit;
     if (body_force_) {
       dp += R * f_P_;
-      dx += bodyDisplacement(s);
+      dx += bodyDisplacement(s, gain);
     }
   }
   state.L_W = start_.L_W + dL;
@@ -276,17 +282,10 @@ Vector3<T> TaylorSegmentT<T>::pulledMoment(T s) const {
 
 /// [m] f_P/m × the integral over time of the integral of R.
 template <class T>
-Vector3<T> TaylorSegmentT<T>::bodyDisplacement(T s) const {
-  Array4 squares = Array4::Zero(), crosses = Array4::Zero(), turns = Array4::Zero();
-  for (std::size_t k = degree_; k > 0; --k) {
-    const T inverse = T(1) / T(k + 1);
-    squares = arrayOf(series_.squares[k]) * inverse + s * squares;
-    crosses = arrayOf(series_.crosses[k]) * inverse + s * crosses;
-    turns = arrayOf(series_.turns[k]) * inverse + s * turns;
-  }
-  const T ss = s * s;
+Vector3<T> TaylorSegmentT<T>::bodyDisplacement(T s, const TaylorIncrements<T>& gain) const {
   Matrix3<T> R;
-  setRotationMatrix<T, Array4>(ss / T(2), squares * ss, crosses * ss, turns * ss, R);
+  setRotationMatrix(s * s / T(2), gain.integrals.squares, gain.integrals.crosses,
+                    gain.integrals.turns, R);
   return R * (f_P_ * inv_mass_ / (rate_unit_ * rate_unit_));
 }
 

@@ -8,6 +8,7 @@
 
 #include "dynamics/step_too_long.hpp"
 #include "dynamics/taylor/taylor_equations.hpp"
+#include "dynamics/taylor/taylor_recursion.hpp"
 #include "dynamics/wrenches/held_wrench.hpp"
 
 namespace rigid_body_sim {
@@ -91,13 +92,12 @@ class TaylorSegmentT {
   TaylorSeries<T> series_;
 
  private:
-  using Array4 = Eigen::Array<T, 4, 1>;
-
+  void expand();
   void setUpEquations();
   void setUpPull(const HeldWrench& wrench);
 
   Vector3<T> pulledMoment(T s) const;
-  Vector3<T> bodyDisplacement(T s) const;
+  Vector3<T> bodyDisplacement(T s, const TaylorIncrements<T>& gain) const;
 
   ErrorBound bound_;
   BodyStateT<T> start_;
@@ -109,6 +109,8 @@ class TaylorSegmentT {
   Matrix3<T> moments_;            // [N m] Σ armᵢ forceᵢᵀ, arms in P, forces in W
   bool body_torque_;              // whether angular momentum gains more than tau_W dt
   TaylorEquations<T> equations_;  // in the units of the scene
+  TaylorEquations<T> scaled_;     // where nothing pulls: in the unit of time scaled_to_
+  T scaled_to_ = T(0);            // [1/s] 0: in none yet
   TaylorPull<T> pull_;            // the same, where pulled_
   T equations_rate_;              // [1/s] at which they change the motion, whatever it is
 };

@@ -13,13 +13,10 @@
 /// What the recursion of the Taylor segment is written in.
 namespace rigid_body_sim {
 
+/// 1/n, up to the highest degree and one more
 template <class T>
-using Array4 = Eigen::Array<T, 4, 1>;
-
-/// 1/n, up to the highest degree
-template <class T>
-constexpr std::array<T, kHighestTaylorDegree + 1> kInverse = [] {
-  std::array<T, kHighestTaylorDegree + 1> inverse{};
+constexpr std::array<T, kHighestTaylorDegree + 2> kInverse = [] {
+  std::array<T, kHighestTaylorDegree + 2> inverse{};
   for (std::size_t n = 1; n < inverse.size(); ++n) inverse[n] = T(1) / T(n);
   return inverse;
 }();

@@ -14,26 +14,42 @@ namespace rigid_body_sim {
 namespace {
 
 /// Every frame has one name: the world's, a body's, a point's.
-void checkNames(const Scene& scene) {
-  std::unordered_map<std::string, std::pair<const char*, int>> owner_of;  // its kind and line
-  const auto claim = [&](const std::string& name, const char* kind, int line,
-                         const std::string& where) {
-    if (name == scene.world_frame)
-      throw SceneError(scene.source, line, where + ": '" + name + "' is the world frame's name");
-    const auto [taken, is_new] = owner_of.emplace(name, std::make_pair(kind, line));
+class FrameNames {
+ public:
+  explicit FrameNames(const Scene& scene) : scene_(scene) {}
+
+  /// where: what to call the owner, put together only where the name is taken.
+  template <class Where>
+  void claim(const std::string& name, const char* kind, int line, const Where& where) {
+    if (name == scene_.world_frame)
+      throw SceneError(scene_.source, line, where() + ": '" + name + "' is the world frame's name");
+    const auto [taken, is_new] = owner_of_.emplace(name, std::make_pair(kind, line));
     if (!is_new)
-      throw SceneError(scene.source, line,
-                       where + ": name is taken, by the " + taken->second.first + " on line " +
+      throw SceneError(scene_.source, line,
+                       where() + ": name is taken, by the " + taken->second.first + " on line " +
                            std::to_string(taken->second.second));
-  };
+  }
+
+ private:
+  const Scene& scene_;
+  std::unordered_map<std::string, std::pair<const char*, int>> owner_of_;  // its kind and line
+};
+
+void checkNames(const Scene& scene) {
+  FrameNames names(scene);
   for (const BodyDef& body : scene.bodies) {
-    const std::string where = "body '" + body.name + "'";
-    claim(body.name, "body", body.line, where);
-    if (frameOf(body) != body.name) claim(frameOf(body), "body", body.line, where + ": frame");
+    const auto where = [&body](const std::string& part) {
+      return "body '" + body.name + "'" + part;
+    };
+    names.claim(body.name, "body", body.line, [&] { return where(""); });
+    if (frameOf(body) != body.name)
+      names.claim(frameOf(body), "body", body.line, [&] { return where(": frame"); });
     for (const PointDef& point : body.points)
-      claim(body.name + "/" + point.name, "point", point.line, where + ": points." + point.name);
+      names.claim(body.name + "/" + point.name, "point", point.line,
+                  [&] { return where(": points." + point.name); });
     for (const ImuDef& def : body.imus)
-      claim(body.name + "/" + def.imu.name, "IMU", def.line, where + ": imus." + def.imu.name);
+      names.claim(body.name + "/" + def.imu.name, "IMU", def.line,
+                  [&] { return where(": imus." + def.imu.name); });
   }
 }
 

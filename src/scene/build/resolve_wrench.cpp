@@ -28,8 +28,7 @@ std::string timeFault(const WrenchDef& wrench) {
 }
 
 std::string bodyFault(const std::string& name, const std::vector<Body>& bodies,
-                      const FrameTable& frames) {
-  const FixedFrame* frame = frames.find(name);
+                      const FixedFrame* frame) {
   if (frame && frame->body != kWorld && bodies[frame->body].name == name)
     return bodies[frame->body].absent ? "body '" + name + "' is absent, no wrench acts on it" : "";
   const auto body =
@@ -41,8 +40,8 @@ std::string bodyFault(const std::string& name, const std::vector<Body>& bodies,
 }
 
 std::string frameFault(const char* key, const std::string& name, const std::vector<Body>& bodies,
-                       const FrameTable& frames) {
-  if (const FixedFrame* frame = frames.find(name)) {
+                       const FrameTable& frames, const FixedFrame* frame) {
+  if (frame) {
     if (frame->body == kWorld || !bodies[frame->body].absent) return "";
     return std::string(key) + " '" + name + "' is fixed to body '" + bodies[frame->body].name +
            "', which is absent";
@@ -51,17 +50,10 @@ std::string frameFault(const char* key, const std::string& name, const std::vect
          " (known: " + frames.names() + ")" + frames.suggestion(name);
 }
 
-/// The first that is not empty.
-std::string firstOf(std::initializer_list<std::string> faults) {
-  for (const std::string& fault : faults) {
-    if (!fault.empty()) return fault;
-  }
-  return "";
-}
-
 std::string finiteFault(const Vector3d& point, const Vector3d& force, const Vector3d& torque) {
-  return firstOf(
-      {vectorFault("point", point), vectorFault("force", force), vectorFault("torque", torque)});
+  std::string fault = vectorFault("point", point);
+  if (fault.empty()) fault = vectorFault("force", force);
+  return fault.empty() ? vectorFault("torque", torque) : fault;
 }
 
 }  // namespace
@@ -69,17 +61,22 @@ std::string finiteFault(const Vector3d& point, const Vector3d& force, const Vect
 ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& bodies,
                              const FrameTable& frames) {
   const std::string& point_frame = wrench.point_frame.empty() ? wrench.body : wrench.point_frame;
+  const FixedFrame* const own = frames.find(wrench.body);
+  const FixedFrame* const axes_frame = frames.find(wrench.frame);
+  const FixedFrame* const place_frame = point_frame == wrench.body ? own : frames.find(point_frame);
   ResolvedWrench resolved;
-  resolved.fault = firstOf(
-      {bodyFault(wrench.body, bodies, frames), frameFault("frame", wrench.frame, bodies, frames),
-       frameFault("point_frame", point_frame, bodies, frames),
-       finiteFault(wrench.point, wrench.force, wrench.torque), timeFault(wrench)});
-  if (!resolved.fault.empty()) return resolved;
+  std::string& fault = resolved.fault;
+  fault = bodyFault(wrench.body, bodies, own);
+  if (fault.empty()) fault = frameFault("frame", wrench.frame, bodies, frames, axes_frame);
+  if (fault.empty()) fault = frameFault("point_frame", point_frame, bodies, frames, place_frame);
+  if (fault.empty()) fault = finiteFault(wrench.point, wrench.force, wrench.torque);
+  if (fault.empty()) fault = timeFault(wrench);
+  if (!fault.empty()) return resolved;
 
-  const FixedFrame& axes = *frames.find(wrench.frame);
-  const FixedFrame& place = *frames.find(point_frame);
+  const FixedFrame& axes = *axes_frame;
+  const FixedFrame& place = *place_frame;
   PointWrench& applied = resolved.wrench;
-  applied.body = frames.find(wrench.body)->body;
+  applied.body = own->body;
   applied.axes = axes.body;
   applied.force = axes.X_PF.linear() * wrench.force;
   applied.torque = axes.X_PF.linear() * wrench.torque;

@@ -13,61 +13,67 @@ namespace {
 
 /// The fewest digits that read back as the same double: digits[0].digits[1]… × 10^exponent.
 struct Decimal {
-  char digits[32];
+  char text[32];
+  const char* digits = text;  // within the text
   int count = 0;
   int exponent = 0;
 };
 
 #if defined(__cpp_lib_to_chars)  // of GCC 11 on: the same digits in a quarter of the time
-Decimal decimalOf(double magnitude) {
-  char text[32];
-  const char* const end =
-      std::to_chars(text, text + sizeof text, magnitude, std::chars_format::scientific).ptr;
-  Decimal decimal;
-  const char* c = text;
-  for (; *c != 'e'; ++c)
-    if (*c != '.') decimal.digits[decimal.count++] = *c;
-  c += c[1] == '+' ? 2 : 1;  // from_chars takes no plus
-  std::from_chars(c, end, decimal.exponent);
-  return decimal;
+void setDecimal(double magnitude, Decimal& decimal) {
+  char* const text = decimal.text;
+  char* const end =
+      std::to_chars(text, text + sizeof decimal.text, magnitude, std::chars_format::scientific).ptr;
+  // d.ddde-07 or de+123: the point makes way for the digit before it
+  char* c = end;
+  while (c[-1] != 'e') --c;
+  decimal.count = text[1] == '.' ? static_cast<int>(c - text) - 2 : 1;
+  if (decimal.count > 1) text[1] = text[0];
+  decimal.digits = text + (decimal.count > 1);
+  const bool negative = *c++ == '-';
+  int size = 0;
+  for (; c < end; ++c) size = 10 * size + (*c - '0');
+  decimal.exponent = negative ? -size : size;
 }
 #else
-Decimal decimalOf(double magnitude) {
+void setDecimal(double magnitude, Decimal& decimal) {
   using double_conversion::DoubleToStringConverter;
-  Decimal decimal;
   bool negative = false;
   DoubleToStringConverter::DoubleToAscii(magnitude, DoubleToStringConverter::SHORTEST, 0,
-                                         decimal.digits, sizeof decimal.digits, &negative,
+                                         decimal.text, sizeof decimal.text, &negative,
                                          &decimal.count, &decimal.exponent);
   --decimal.exponent;  // it puts the point before the first digit
-  return decimal;
 }
 #endif
 
-void appendDecimal(const Decimal& decimal, std::string& text) {
+/// Puts the number at `to`, where there is room for 64 characters; returns its end.
+char* putDecimal(const Decimal& decimal, char* to) {
   const int count = decimal.count, exponent = decimal.exponent;
-  const auto put = [&](int from, int to) {
-    if (to > from) text.append(decimal.digits + from, static_cast<std::size_t>(to - from));
+  const auto put = [&](int from, int end) {
+    if (end > from) to = std::copy(decimal.digits + from, decimal.digits + end, to);
   };
   const auto zeros = [&](int n) {
-    if (n > 0) text.append(static_cast<std::size_t>(n), '0');
+    if (n > 0) to = std::fill_n(to, n, '0');
   };
   if (exponent < -5 || exponent >= 17) {
     put(0, 1);
-    if (count > 1) text += '.';
+    if (count > 1) *to++ = '.';
     put(1, count);
-    text += 'e';
-    text += std::to_string(exponent);
-  } else if (exponent < 0) {
-    text += "0.";
+    *to++ = 'e';
+    return std::to_chars(to, to + 8, exponent).ptr;
+  }
+  if (exponent < 0) {
+    *to++ = '0';
+    *to++ = '.';
     zeros(-exponent - 1);
     put(0, count);
-  } else {
-    put(0, std::min(count, exponent + 1));
-    zeros(exponent + 1 - count);
-    if (count > exponent + 1) text += '.';
-    put(exponent + 1, count);
+    return to;
   }
+  put(0, std::min(count, exponent + 1));
+  zeros(exponent + 1 - count);
+  if (count > exponent + 1) *to++ = '.';
+  put(exponent + 1, count);
+  return to;
 }
 
 }  // namespace
@@ -77,11 +83,17 @@ void appendNumber(double x, std::string& text) {
     text += "nan";
     return;
   }
-  if (std::signbit(x)) text += '-';
-  if (std::isinf(x))
-    text += "inf";
-  else
-    appendDecimal(decimalOf(std::abs(x)), text);
+  if (std::isinf(x)) {
+    text += x < 0 ? "-inf" : "inf";
+    return;
+  }
+  char number[64];
+  char* to = number;
+  if (std::signbit(x)) *to++ = '-';
+  Decimal decimal;
+  setDecimal(std::abs(x), decimal);
+  to = putDecimal(decimal, to);
+  text.append(number, static_cast<std::size_t>(to - number));
 }
 
 std::string numberText(double x) {

@@ -81,24 +81,36 @@ double Draws::normal(std::size_t index, std::int64_t run, std::uint32_t componen
 }
 
 SceneValue Draws::value(std::size_t index, std::int64_t run, const SceneValue& own) const {
+  if (const std::optional<double> x = number(index, run)) return SceneValue::of(*x);
+  if (const SceneValue* one = named(index, run)) return *one;
+  return rotated(index, run, own);
+}
+
+std::optional<double> Draws::number(std::size_t index, std::int64_t run) const {
   const Distribution& distribution = study_.vary[index].distribution;
   if (const auto* d = std::get_if<NormalDistribution>(&distribution))
-    return SceneValue::of(d->mean + d->stddev * normal(index, run, 0));
-  if (const auto* d = std::get_if<UniformDistribution>(&distribution)) {
-    const double u = uniform(index, run, 0);
-    return SceneValue::of(
-        std::min((1 - u) * d->low + u * d->high, std::nextafter(d->high, d->low)));
-  }
+    return d->mean + d->stddev * normal(index, run, 0);
+  const auto* d = std::get_if<UniformDistribution>(&distribution);
+  if (!d) return std::nullopt;
+  const double u = uniform(index, run, 0);
+  return std::min((1 - u) * d->low + u * d->high, std::nextafter(d->high, d->low));
+}
+
+const SceneValue* Draws::named(std::size_t index, std::int64_t run) const {
+  const Distribution& distribution = study_.vary[index].distribution;
   if (const auto* d = std::get_if<ListDistribution>(&distribution)) {
     const auto count = static_cast<double>(d->values.size());
     const auto chosen = static_cast<std::size_t>(count * uniform(index, run, 0));
-    return d->values[std::min(chosen, d->values.size() - 1)];
+    return &d->values[std::min(chosen, d->values.size() - 1)];
   }
-  if (const auto* d = std::get_if<GridDistribution>(&distribution)) {
-    const auto count = static_cast<std::int64_t>(d->values.size());
-    return d->values[static_cast<std::size_t>(run / paths_[index].stride % count)];
-  }
-  const auto& rotation = std::get<RotationDistribution>(distribution);
+  const auto* d = std::get_if<GridDistribution>(&distribution);
+  if (!d) return nullptr;
+  const auto count = static_cast<std::int64_t>(d->values.size());
+  return &d->values[static_cast<std::size_t>(run / paths_[index].stride % count)];
+}
+
+SceneValue Draws::rotated(std::size_t index, std::int64_t run, const SceneValue& own) const {
+  const auto& rotation = std::get<RotationDistribution>(study_.vary[index].distribution);
   if (!rotation.stddev)
     return orientationValue(
         uniformRotation(uniform(index, run, 0), uniform(index, run, 1), uniform(index, run, 2)));

@@ -19,6 +19,12 @@ class Draws {
   /// What the path number `index` of the study has in a run; own: the scene's own value.
   SceneValue value(std::size_t index, std::int64_t run, const SceneValue& own) const;
 
+  /// The same by the kind of its distribution, one of which it is: a number; one of the values that
+  /// the study names, else null; a rotation.
+  std::optional<double> number(std::size_t index, std::int64_t run) const;
+  const SceneValue* named(std::size_t index, std::int64_t run) const;
+  SceneValue rotated(std::size_t index, std::int64_t run, const SceneValue& own) const;
+
   /// A draw uniform over (0, 1); component: of those that a value takes.
   double uniform(std::size_t index, std::int64_t run, std::uint32_t component) const;
 

@@ -1,8 +1,10 @@
 #include "scene/study/varied_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "scene/files/number_text.hpp"
 #include "scene/readers/read_scene.hpp"
 #include "scene/readers/readers.hpp"
 #include "scene/study/scene_path.hpp"
@@ -153,15 +155,32 @@ void VariedScene::findPart(Slot& slot) {
     slot.part = part;
     slot.entry = static_cast<std::size_t>(follow(list, steps[1]) - list.children().begin());
     if (part == Part::kWrench) slot.key = steps[2].name;
+    slot.plain = PlainNumber::at(scene_, steps, slot.entry);
     for (const char* own : {"mass", "position", "orientation", "twist"})
       if (part == Part::kBody && steps[2].name == own) slot.key = own;
   }
 }
 
-void VariedScene::set(std::size_t index, SceneValue value) {
+void VariedScene::set(std::size_t index, const SceneValue& value) {
   Slot& slot = slots_[index];
   if (slot.now == value) return;
-  slot.now = std::move(value);
+  slot.now = value;
+  placeNow(slot);
+}
+
+/// In the memory of the number before it.
+void VariedScene::set(std::size_t index, double x) {
+  Slot& slot = slots_[index];
+  if (slot.now.is_list || !std::isfinite(x)) return set(index, SceneValue::of(x));
+  SceneValue::Word& word = slot.now.words.front();
+  word.text.clear();
+  appendNumber(x, word.text);
+  word.quoted = false;
+  word.number = x;
+  placeNow(slot);
+}
+
+void VariedScene::placeNow(Slot& slot) {
   place(slot.now, *slot.node, document_);
   slot.is_read = false;
 }
@@ -174,18 +193,26 @@ const Scene& VariedScene::scene() {
     scene_ = readScene(document_.root, context_);
   } else {
     for (std::size_t i = 0; i < slots_.size(); ++i)
-      if (!slots_[i].is_read && !isReadBefore(i)) readEntry(slots_[i]);
+      if (!slots_[i].is_read && !setPlain(slots_[i]) && !isReadBefore(i)) readEntry(slots_[i]);
     context_.notices.clear();
   }
   for (Slot& slot : slots_) slot.is_read = true;
   return scene_;
 }
 
+/// False where the value has to be read from the file.
+bool VariedScene::setPlain(const Slot& slot) {
+  const SceneValue& value = slot.now;
+  return slot.plain && !value.is_list && value.words.front().number &&
+         slot.plain->set(*value.words.front().number, scene_);
+}
+
 /// Whether a slot before this one, whose value changed, too, is read together with it.
 bool VariedScene::isReadBefore(std::size_t index) const {
   const Slot& slot = slots_[index];
   return std::any_of(slots_.data(), slots_.data() + index, [&](const Slot& s) {
-    return !s.is_read && s.part == slot.part && s.entry == slot.entry && s.key == slot.key;
+    return !s.is_read && !s.plain && s.part == slot.part && s.entry == slot.entry &&
+           s.key == slot.key;
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "scene/readers/read_context.hpp"
 #include "scene/readers/yaml_tree.hpp"
+#include "scene/study/plain_number.hpp"
 #include "scene/study/study.hpp"
 
 namespace rigid_body_sim {
@@ -29,7 +30,8 @@ class VariedScene {
   const SceneValue& now(std::size_t index) const { return slots_[index].now; }
 
   /// Replaces it.
-  void set(std::size_t index, SceneValue value);
+  void set(std::size_t index, const SceneValue& value);
+  void set(std::size_t index, double x);
 
   /// The scene with the values that are set. Throws SceneError for a value that breaks its rule.
   const Scene& scene();
@@ -58,6 +60,7 @@ class VariedScene {
     Part part = Part::kWhole;
     std::size_t entry = 0;  ///< index in its list
     std::string key;        ///< where it can be read by itself, else empty
+    std::optional<PlainNumber> plain{};
     YamlNode* node = nullptr;
     SceneValue own, now;
     bool is_read = true;
@@ -67,6 +70,8 @@ class VariedScene {
   void addSlot(const Varied& varied, const Study& study);
   void refuseOverlaps(const Study& study) const;
   void findPart(Slot& slot);
+  void placeNow(Slot& slot);
+  bool setPlain(const Slot& slot);
   bool isReadBefore(std::size_t index) const;
   void readEntry(const Slot& slot);
 

@@ -99,11 +99,12 @@ std::optional<State> SweepRunner::endOf(const Built& built) const {
 }
 
 /// Whether a run goes as that of the reference does. Worlds are compared first, which is quick; but
-/// for the time step, since a motion that is solved is the same whatever it is.
+/// for the time step and the horizon, since a motion that is solved is the same whatever they are.
 bool SweepRunner::movesAlike(Reference& reference, const Built& other, const std::string& path) {
   const Built& first = reference.built;
   if (first.duration != other.duration) return false;
-  const bool ends_decide = path == "time_step" && !RunRecorder::areNeededWithin(records_);
+  const bool ends_decide =
+      path == "horizon" || (path == "time_step" && !RunRecorder::areNeededWithin(records_));
   if (!ends_decide && differInMotion(first.world, first.initial, other.world, other.initial))
     return false;
   if (!reference.is_run) reference.end = endOf(first);

@@ -104,20 +104,27 @@ SweepInfo checked(const std::map<std::int64_t, ShardFiles>& shards) {
 void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::string& stem,
                 const std::string& out) {
   constexpr std::size_t kPiece = 1 << 20;
-  std::vector<std::ifstream> tables;
+  struct Table {
+    std::string path;
+    const Shard& shard;
+    std::ifstream in;
+  };
+  std::vector<Table> tables;
   std::string line, header;
   for (const auto& [index, files] : shards) {
-    tables.emplace_back(files.path(stem, ".csv"), std::ios::binary);
-    if (!std::getline(tables.back(), line))
-      throw std::runtime_error(files.path(stem, ".csv") + ": cannot be read");
+    const std::string path = files.path(stem, ".csv");
+    tables.push_back({path, files.shard, std::ifstream(path, std::ios::binary)});
+    if (!std::getline(tables.back().in, line)) throw std::runtime_error(path + ": cannot be read");
     if (index == 1) header = line;
   }
   RunTable merged = RunTable::create(out, header);
   std::string rows;
-  for (bool any = true; any;) {
+  bool any = true;
+  for (std::int64_t row = 0; any; ++row) {
     any = false;
-    for (std::ifstream& table : tables)
-      if (std::getline(table, line)) {
+    for (Table& table : tables)
+      if (std::getline(table.in, line)) {
+        requireRowInPlace(table.path, row, line, table.shard);
         any = true;
         rows += line + "\n";
       }
@@ -138,8 +145,14 @@ SweepInfo mergeShards(const std::vector<std::string>& directories, const std::st
     if (std::string(stem) == "fan" && info.fan.empty()) continue;
     const fs::path table = directory / (std::string(stem) + ".csv"),
                    part = table.string() + ".part";
-    interleave(shards, stem, part.string());
-    fs::rename(part, table);
+    try {
+      interleave(shards, stem, part.string());
+      fs::rename(part, table);
+    } catch (...) {
+      std::error_code is_gone;
+      fs::remove(part, is_gone);
+      throw;
+    }
   }
   writeText((directory / "runs.info").string(), toText(info));
   return info;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -13,6 +14,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "scene/message_text.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -21,12 +24,14 @@ namespace {
 }
 
 /// The place after so many rows and the header, from the start of a file.
-std::int64_t endOfRows(const std::string& path, std::int64_t rows) {
+std::int64_t endOfRows(const std::string& path, std::int64_t rows, const Shard& shard) {
   std::ifstream in(path, std::ios::binary);
   std::string line;
-  for (std::int64_t i = 0; i <= rows; ++i)
+  for (std::int64_t i = 0; i <= rows; ++i) {
     if (!std::getline(in, line) || in.eof())
       throw std::runtime_error(path + ": has fewer rows than a moment ago");
+    if (i > 0) requireRowInPlace(path, i - 1, line, shard);
+  }
   return static_cast<std::int64_t>(in.tellg());
 }
 
@@ -62,13 +67,14 @@ RunTable RunTable::create(const std::string& path, const std::string& header) {
   return table;
 }
 
-RunTable RunTable::reopen(const std::string& path, const std::string& header, std::int64_t rows) {
+RunTable RunTable::reopen(const std::string& path, const std::string& header, std::int64_t rows,
+                          const Shard& shard) {
   std::string line;
   std::getline(std::ifstream(path), line);
   if (line != header)
     throw std::runtime_error(path + ": is another table; remove it, or leave --resume out");
   RunTable table(path, 0);
-  table.cutTo(endOfRows(path, rows));
+  table.cutTo(endOfRows(path, rows, shard));
   return table;
 }
 
@@ -87,6 +93,18 @@ void RunTable::append(const std::string& rows) {
     }
     done += static_cast<std::size_t>(n);
   }
+}
+
+void requireRowInPlace(const std::string& path, std::int64_t row, const std::string& line,
+                       const Shard& shard) {
+  const std::int64_t run = shard.run(row);
+  std::int64_t found = -1;
+  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), found);
+  if (error == std::errc() && found == run && end < line.data() + line.size() && *end == ',')
+    return;
+  throw std::runtime_error(path + ":" + std::to_string(row + 2) + ": must be the row of run " +
+                           std::to_string(run) + ", got '" + printable(line.substr(0, 20)) +
+                           "'; somebody has changed the table: remove it, and make its runs anew");
 }
 
 std::int64_t wholeRows(const std::string& path) {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "tools/sweep/shard.hpp"
+
 namespace rigid_body_sim {
 
 /// A table in a file that at every instant holds whole rows only: each append is one write, and
@@ -15,8 +17,10 @@ class RunTable {
   static RunTable create(const std::string& path, const std::string& header);
 
   /// A file of this header, whose first rows, as many as asked for, are kept and whose rest is cut
-  /// off. Throws std::runtime_error where it is another table, or open in another process.
-  static RunTable reopen(const std::string& path, const std::string& header, std::int64_t rows);
+  /// off. Throws std::runtime_error where it is another table, open in another process, or has a
+  /// row at the place of another.
+  static RunTable reopen(const std::string& path, const std::string& header, std::int64_t rows,
+                         const Shard& shard);
 
   RunTable(RunTable&& other) noexcept;
   RunTable& operator=(RunTable&&) = delete;
@@ -33,6 +37,11 @@ class RunTable {
   std::string path_;
   int descriptor_;
 };
+
+/// Throws std::runtime_error for the row number `row` of a shard's table, from 0 on, that is not of
+/// the run that belongs there.
+void requireRowInPlace(const std::string& path, std::int64_t row, const std::string& line,
+                       const Shard& shard);
 
 /// Whole rows of a table after its header; 0 where there is no file.
 std::int64_t wholeRows(const std::string& path);

@@ -90,6 +90,10 @@ std::int64_t SweepJob::rowsToKeep() const {
   const std::string table = path("runs", ".csv");
   const std::int64_t there = wholeRows(table);
   if (there == 0) return 0;
+  if (!info)
+    throw std::runtime_error(table + ": of which sweep it is would stand in " +
+                             path("runs", ".info") +
+                             ", which is not there; remove the table, or leave --resume out");
   if (info != toText(info_))
     throw std::runtime_error(table + ": is of another sweep; remove it, or leave --resume out");
   const std::int64_t rows = std::min(there, shard_.runsOf(info_.runs));
@@ -115,7 +119,7 @@ struct SweepJob::Tables {
 SweepJob::Tables SweepJob::openTables(std::int64_t kept) const {
   const auto open = [&](const std::string& stem, const std::string& header, std::int64_t rows) {
     const std::string file = path(stem, ".csv");
-    return kept > 0 ? RunTable::reopen(file, header, rows) : RunTable::create(file, header);
+    return kept > 0 ? RunTable::reopen(file, header, rows, shard_) : RunTable::create(file, header);
   };
   const SweepRunner& runner = *runners_.front();
   Tables tables{open("runs", joined(runner.columns()), kept), std::nullopt};

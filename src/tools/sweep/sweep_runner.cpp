@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/run/solved_run.hpp"
 #include "dynamics/step_too_long.hpp"
 #include "programs/usage.hpp"
 #include "scene/files/number_text.hpp"
@@ -135,7 +136,12 @@ std::string SweepRunner::fanName() const {
 
 void SweepRunner::setValues(std::int64_t number) {
   for (std::size_t i = 0; i < read_backs_.size(); ++i)
-    scene_.set(i, draws_.value(i, number, scene_.own(i)));
+    if (const std::optional<double> x = draws_.number(i, number))
+      scene_.set(i, *x);
+    else if (const SceneValue* named = draws_.named(i, number))
+      scene_.set(i, *named);
+    else
+      scene_.set(i, draws_.rotated(i, number, scene_.own(i)));
 }
 
 std::string SweepRunner::sceneOf(std::int64_t number) {
@@ -163,7 +169,10 @@ RunRows SweepRunner::run(std::int64_t number) {
   try {
     Built built = build();
     values_end = appendValues(&built, rows.row);
-    simulate(std::move(built), with_fan, number, rows);
+    if (isSolvedThroughout(built.world) && !RunRecorder::areNeededWithin(records_))
+      solve(built, with_fan, number, rows);
+    else
+      simulate(std::move(built), with_fan, number, rows);
   } catch (const SceneError& error) {
     refuse(std::string("refused: ") + error.what());
   } catch (const SimulationDiverged& error) {
@@ -210,6 +219,21 @@ void SweepRunner::simulate(Built built, bool with_fan, std::int64_t number, RunR
   appendField(error.position, rows.row);
   rows.row += ",done\n";
   if (with_fan) rows.fan = std::to_string(number) + fan + "\n";
+}
+
+/// Without a simulation, as nothing is asked for but the end.
+void SweepRunner::solve(const Built& built, bool with_fan, std::int64_t number,
+                        RunRows& rows) const {
+  if (with_fan) rows.fan = std::to_string(number) + fanOf(built) + "\n";
+  State end;
+  end.t = built.duration;
+  end.bodies = solvedAfter(built.world, built.initial, built.duration);
+  appendStates(built.world, end, rows.row);
+  for (const auto& [def, quantity] : records_)
+    appendField(quantity.of(built.world.bodies[quantity.body], end.bodies[quantity.body]),
+                rows.row);
+  for (int error = 0; error < 2; ++error) appendField(0, rows.row);
+  rows.row += ",done\n";
 }
 
 /// Of motions that are solved: a state within a long step is found from its start on, each anew, so

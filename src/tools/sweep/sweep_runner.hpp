@@ -86,6 +86,7 @@ class SweepRunner {
   bool movesAlike(Reference& reference, const Built& other, const std::string& path);
   Simulation simulationOf(Built built) const;
   void simulate(Built built, bool with_fan, std::int64_t number, RunRows& rows) const;
+  void solve(const Built& built, bool with_fan, std::int64_t number, RunRows& rows) const;
   std::string fanOf(const Built& built) const;
   void appendRecords(const std::vector<std::optional<double>>& values, std::string& row) const;
   void follow(Simulation& run, double duration, RunRecorder* recorder, std::string* fan) const;

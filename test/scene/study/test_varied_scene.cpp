@@ -122,6 +122,48 @@ TEST(VariedScene, SetsValuesAsIfTheyStoodInTheFile) {
   EXPECT_FALSE(differInMotion(world, initialState(read, world), same, initialState(again, same)));
 }
 
+// What is set without a reader is what the reader makes of the file that says it.
+TEST(VariedScene, SetsANumberAsTheReaderWould) {
+  const std::vector<std::string> paths = {
+      "bodies.box.mass",         "bodies.box.twist.linear[1]", "bodies.box.twist.angular[0]",
+      "bodies.ball.position[0]", "bodies.ball.density",        "bodies.box.points.tip.position[0]",
+      "wrenches[0].force[0]",    "wrenches[0].start",          "wrenches[0].duration",
+      "forces[0].to.point[1]",   "bodies.box.drag.linear",     "bodies.box.shape.box[2]"};
+  const std::string text = kVariedScene +
+                           "  - {body: box, frame: world, force: [1, 2, 3], "
+                           "torque: [4, 5, 6], point: [7, 8, 9], duration: 2}\n";
+  std::string with_end = text;
+  with_end.replace(with_end.find("to: {body: ball}"), 16, "to: {body: ball, point: [0, 0, 0]}");
+  std::vector<std::string> all = paths;
+  for (const char* more : {"wrenches[1].torque[2]", "wrenches[1].point[1]"}) all.push_back(more);
+  VariedScene scene(with_end, contextOf("scene.yaml"), studyVarying(all));
+  for (const std::size_t alone : {all.size(), std::size_t{0}, std::size_t{6}}) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (alone == all.size() || alone == i)
+        scene.set(i, SceneValue::of(0.1 * static_cast<double>(i + alone + 1)));
+    const Scene& set = scene.scene();
+    const Scene read = parseScene(scene.yaml(), "scene.yaml");
+    const World world = buildWorld(set), same = buildWorld(read);
+    EXPECT_FALSE(differInMotion(world, initialState(set, world), same, initialState(read, same)))
+        << alone;
+  }
+  // and what it refuses is refused
+  for (const auto& [index, fault] : {std::pair<std::size_t, std::string>{0, "mass must be > 0 kg"},
+                                     {7, "start must be >= 0 s"},
+                                     {8, "duration must be > 0 s"}}) {
+    scene.set(index, SceneValue::of(-1));
+    try {
+      scene.scene();
+      ADD_FAILURE() << fault;
+    } catch (const SceneError& error) {
+      EXPECT_NE(std::string(error.what()).find(fault + ", got -1"), std::string::npos)
+          << error.what();
+    }
+    scene.set(index, SceneValue::of(1));
+    EXPECT_NO_THROW(scene.scene());
+  }
+}
+
 TEST(VariedScene, ReadsAgainOnlyWhatChanged) {
   VariedScene scene(kVariedScene, contextOf("scene.yaml"), studyVarying({"bodies.box.mass"}));
   scene.set(0, number("3"));

@@ -133,6 +133,24 @@ TEST(SweepProgram, VariesATimeStepOnlyWhereItIsTaken) {
   EXPECT_EQ(run(test::kPushedBall, "  integrator: {grid: [auto, rk4]}\n").exit_code, 0);
 }
 
+// It says how long a run is unless the study does.
+TEST(SweepProgram, VariesAHorizonOnlyWhereItIsTaken) {
+  const TemporaryDirectory files;
+  const auto run = [&](const std::string& scene, const std::string& more) {
+    return sweep(files.written("scene.yaml", scene) + " " +
+                 files.written("study.yaml", more + "runs: 1\nvary: {horizon: {grid: [1, 2]}}\n") +
+                 " --out " + files.path("out"));
+  };
+  EXPECT_EQ(run(test::kPushedBall, "").exit_code, 0);
+  EXPECT_NE(run(test::kPushedBall, "duration: 1\n").out.find("'horizon' varies nothing"),
+            std::string::npos);
+  // the tolerance is held over it
+  const std::string spun = "tolerance: 1e-3\n" + test::kPushedBall +
+                           "  - {body: ball, frame: ball, point: [0.1, 0, 0.05], force: [0, 1, 0], "
+                           "start: 0.1, duration: 2}\n";
+  EXPECT_EQ(run(spun, "duration: 1\n").exit_code, 0);
+}
+
 TEST(SweepProgram, RefusesAPathThatVariesNothing) {
   const TemporaryDirectory files;
   const std::string scene = files.written("scene.yaml", R"(time_step: 0.5

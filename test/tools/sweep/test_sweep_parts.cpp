@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <getopt.h>
@@ -13,6 +15,8 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "dynamics/run/solved_run.hpp"
+#include "support/same_bits.hpp"
 #include "tools/common/state_at.hpp"
 #include "tools/sweep/solved_step.hpp"
 #include "tools/sweep/sweep_bench.hpp"
@@ -104,6 +108,81 @@ wrenches:
   const World world = buildWorld(scene);
   const Simulation quick = quickSimulation(world, initialState(scene, world), 2);
   EXPECT_EQ(quick.world().solver.time_step, 0.01);
+}
+
+// Wrenches that start before, at and after the ends of others, on a pivot and with a tolerance,
+// too.
+TEST(SolvedRun, HasTheBitsOfASimulation) {
+  const std::string text = R"(gravity: [0, 0, -9.8]
+time_step: 0.01
+bodies:
+  - {name: box, shape: {box: [1.0, 0.5, 0.25]}, mass: 2, twist: {frame: world, linear: [1, 2, 3], angular: [0.2, 1.5, 0.4]}}
+  - {name: rock, shape: {sphere: {radius: 1}}, mass: 1, fixed: true, position: [5, 0, 0]}
+  - {name: guest, shape: {sphere: {radius: 1}}, mass: 1, absent: true}
+  - {name: top, shape: {cylinder: {radius: 0.3, length: 0.1}}, mass: 2, pivot: {point: [0, 0, -0.5]}, twist: {frame: body, angular: [0.5, 0, 20]}}
+  - {name: ball, shape: {sphere: {radius: 0.1}}, mass: 0.5, position: [0, 3, 0]}
+wrenches:
+  - {body: box, frame: box, point: [0.5, 0.25, 0], force: [0, 0, -1.5], start: 0.5, duration: 1}
+  - {body: box, frame: world, point: [-0.5, 0, 0.1], force: [0.8, -0.4, 0], start: 0, duration: 0.7}
+  - {body: box, frame: world, point_frame: world, point: [0, 0, 1], force: [0.1, 0, 0], start: 1.5, duration: .inf}
+  - {body: top, frame: world, torque: [0.1, 0, 0], start: 0.3, duration: 0.4}
+  - {body: ball, frame: world, force: [1, 0, 0], start: 2, duration: 9}
+)";
+  for (const char* more : {"", "tolerance: 1e-4\n"}) {
+    const Scene scene = parseScene(more + text, "scene.yaml");
+    const World world = buildWorld(scene);
+    const State initial = initialState(scene, world);
+    ASSERT_TRUE(isSolvedThroughout(world));
+    for (const double duration : {0.4, 1.5, 2.0, 3.3}) {
+      const std::vector<BodyState> end = solvedAfter(world, initial, duration);
+      Simulation run = quickSimulation(world, initial, duration);
+      const std::vector<BodyState> same = stateAt(run, duration).bodies;
+      ASSERT_EQ(end.size(), same.size());
+      for (std::size_t i = 0; i < end.size(); ++i)
+        EXPECT_TRUE(test::sameBits(end[i], same[i])) << more << duration << " s, body " << i;
+    }
+  }
+}
+
+TEST(SolvedRun, RefusesAndDivergesAsASimulation) {
+  const auto world_of = [](const std::string& wrench) {
+    const Scene scene = parseScene(
+        "time_step: 0.5\nbodies: [{name: rocket, shape: {sphere: "
+        "{radius: 1}}, mass: 1.0e-300}]\nwrenches: [" +
+            wrench + "]\n",
+        "scene.yaml");
+    World world = buildWorld(scene);
+    State initial = initialState(scene, world);
+    return std::make_pair(std::move(world), std::move(initial));
+  };
+  const auto [world, initial] =
+      world_of("{body: rocket, frame: world, force: [1.0e300, 0, 0], start: 0, duration: 1000}");
+  std::string diverged, refused;
+  try {
+    Simulation(world, initial).step();
+  } catch (const SimulationDiverged& error) {
+    diverged = error.what();
+  }
+  ASSERT_FALSE(diverged.empty());
+  try {
+    solvedAfter(world, initial, 0.5);
+    ADD_FAILURE();
+  } catch (const SimulationDiverged& error) {
+    EXPECT_EQ(error.what(), diverged);
+  }
+  World bad = world;
+  bad.wrenches[0].force.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(solvedAfter(bad, initial, 0.5), std::invalid_argument);
+  // neither is solved throughout
+  bad = world;
+  bad.solver.integrator = "rk4";
+  EXPECT_FALSE(isSolvedThroughout(bad));
+  bad = world;
+  bad.bodies[0].actuators.emplace_back();
+  EXPECT_FALSE(isSolvedThroughout(bad));
+  EXPECT_FALSE(isSolvedThroughout(
+      world_of("{body: rocket, frame: rocket, point_frame: world, force: [1, 0, 0], duration: 1}")
+          .first));
 }
 
 }  // namespace rigid_body_sim
