@@ -27,6 +27,25 @@ TEST(DescribeSolution, NamesTheRotorOfAFreeBody) {
   EXPECT_EQ(lines({2, 2, 2}), Lines{"wing_nut: free, spherical, exact"});
 }
 
+// A difference grows by e^(λt), λ = ω √((I₂ − I₁)(I₃ − I₂)/(I₁ I₃)) = 1.73/s, until it has turned.
+TEST(DescribeMagnification, SpeaksOfAFreeRotationNearTheUnstableAxis) {
+  const auto after = [](const Vector3d& w, int seconds) {
+    Bench bench;
+    bench.add(principalBody("wing_nut", 1, {1, 2, 3}), tumbling({0, 0, 0}, w));
+    Simulation sim = bench.simulation("auto", 1);
+    while (sim.steps() < seconds) sim.step();
+    return describeMagnification(sim);
+  };
+  const Vector3d middle(0, 3, 0), stable(0, 0, 3), tumbles(1, 2, 3);
+  EXPECT_EQ(after(middle, 7), "");  // 2e5
+  EXPECT_EQ(after(middle, 12),      // 1e9
+            "the free rotation of body 'wing_nut' magnifies a difference at its start, rounding, "
+            "too, 10^9 times by now: it is that of its start to the last digit, and no body starts "
+            "so exactly");
+  EXPECT_EQ(after(stable, 1000), "");
+  EXPECT_EQ(after(tumbles, 1000), "");
+}
+
 TEST(DescribeSolution, SaysOnceWhatIsTheSameOfManyNeighbours) {
   Bench bench;
   for (int i = 0; i < 40; ++i)
