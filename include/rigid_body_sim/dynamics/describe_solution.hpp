@@ -27,6 +27,11 @@ std::string describeSubsteps(const Simulation& simulation);
 /// near the unstable axis, in a world of at most 100 bodies.
 std::string describeMagnification(const Simulation& simulation);
 
+/// The same of every motion that is solved, in a run from a start without inputs: a second run
+/// shows it that starts 1e-10 beside it. Empty, too, where something is integrated, in a world with
+/// laws, and where that run would take more than a tenth of a second.
+std::string describeInstability(const Simulation& simulation, const State& start);
+
 /// Says from when on the tolerance is not held, as far as errors are tracked; empty while it is.
 std::string describePromise(const Simulation& simulation);
 

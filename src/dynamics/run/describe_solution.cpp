@@ -9,6 +9,7 @@
 #include "dynamics/methods/pivots.hpp"
 #include "dynamics/rotation/free_top.hpp"
 #include "dynamics/run/contact_bound.hpp"
+#include "dynamics/run/magnified_text.hpp"
 #include "dynamics/world_changes.hpp"
 
 namespace rigid_body_sim {
@@ -188,10 +189,7 @@ std::string magnificationOfSolved(const Simulation& simulation) {
     most = std::max(most, magnification);
   }
   if (!(most > std::pow(10, kDigitsLost))) return "";
-  return "the free rotation of body '" + world.bodies[which].name +
-         "' magnifies a difference at its start, rounding, too, 10^" +
-         std::to_string(std::llround(std::log10(most))) +
-         " times by now: it is that of its start to the last digit, and no body starts so exactly";
+  return magnifiedText(world.bodies[which], most);
 }
 
 /// A line for each body, or, of very many, for neighbours of which the same is to be said.
@@ -211,6 +209,13 @@ std::vector<std::string> linesOf(const World& world, const std::vector<std::stri
 }
 
 }  // namespace
+
+std::string magnifiedText(const Body& body, double magnification) {
+  return "the motion of body '" + body.name +
+         "' magnifies a difference at its start, rounding, too, 10^" +
+         std::to_string(std::llround(std::log10(magnification))) +
+         " times by now: it is that of its start to the last digit, and no body starts so exactly";
+}
 
 std::vector<std::string> describeSolution(const Simulation& simulation) {
   const World& world = simulation.world();

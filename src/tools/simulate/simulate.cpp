@@ -228,7 +228,9 @@ void finish(Job& job) {
   if (!substeps.empty()) job.note(substeps);
   const std::string promise = describePromise(job.simulation);
   if (!promise.empty()) job.note(promise);
-  const std::string magnification = describeMagnification(job.simulation);
+  std::string magnification = describeMagnification(job.simulation);
+  if (magnification.empty() && !job.record)
+    magnification = describeInstability(job.simulation, job.first);
   if (!magnification.empty()) job.note(magnification);
   if (job.record && !job.record->remainder(job.end).empty())
     job.note(job.record->remainder(job.end));
