@@ -44,7 +44,12 @@ Vector3d momentumOf(const Body& body, const BodyState& state) {
 double radiusOfGyration(const Body& body) { return std::sqrt(body.I.maxCoeff() / body.mass); }
 
 double kineticEnergy(const Body& body, const BodyState& state) {
-  return 0.5 * state.p_W.squaredNorm() / body.mass + 0.5 * state.L_P.cwiseAbs2().dot(body.inv_I);
+  const double energy =
+      0.5 * state.p_W.squaredNorm() / body.mass + 0.5 * state.L_P.cwiseAbs2().dot(body.inv_I);
+  if (std::isfinite(energy)) return energy;
+  // the squares may overflow where the energy does not
+  return 0.5 * state.p_W.dot(state.p_W / body.mass) +
+         0.5 * state.L_P.dot(state.L_P.cwiseProduct(body.inv_I));
 }
 
 }  // namespace rigid_body_sim

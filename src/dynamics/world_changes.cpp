@@ -42,7 +42,7 @@ void changeBody(World& world, std::size_t i, const MassProperties& properties_B)
                                   "' on it does not follow a change of mass properties");
     law = std::move(reframed);
   }
-  for (PointWrench& wrench : world.wrenches) reframe(wrench, i, frameBefore(before, after));
+  for (PointWrench& wrench : world.wrenches) reframe(wrench, i, before, after);
 }
 
 void setAbsent(Body& body, bool absent) {
@@ -97,7 +97,8 @@ World withChanges(World world, const std::vector<BodyChange>& changes) {
   return world;
 }
 
-void reframe(PointWrench& wrench, std::size_t body, const Isometry3d& X_NP) {
+void reframe(PointWrench& wrench, std::size_t body, const Body& before, const Body& after) {
+  const Isometry3d X_NP = frameBefore(before, after);
   const auto isFixedToIt = [&](std::size_t frame) {
     return frame == body || (frame == kOwnBody && wrench.body == body);
   };
@@ -105,7 +106,10 @@ void reframe(PointWrench& wrench, std::size_t body, const Isometry3d& X_NP) {
     wrench.force = X_NP.linear() * wrench.force;
     wrench.torque = X_NP.linear() * wrench.torque;
   }
-  if (isFixedToIt(wrench.point_frame)) wrench.point = X_NP * wrench.point;
+  if (wrench.at_center && wrench.body == body)
+    wrench.point = after.com_P;
+  else if (isFixedToIt(wrench.point_frame))
+    wrench.point = X_NP * wrench.point;
 }
 
 BodyState keepingMomentum(const Body& before, const Body& after, const BodyState& state) {

@@ -22,8 +22,9 @@ inline const std::vector<Body>& unchangedBodies(const World& world) {
 /// The world as it was given.
 World withoutChanges(World world);
 
-/// Gives in another frame N of a body what a wrench has in its principal frame P.
-void reframe(PointWrench& wrench, std::size_t body, const Isometry3d& X_NP);
+/// Gives in the principal frame of a body that has been changed what a wrench has in that before,
+/// or at its centre of mass.
+void reframe(PointWrench& wrench, std::size_t body, const Body& before, const Body& after);
 
 /// The state of a body that is where it was, with the momentum that it had, after its mass
 /// properties have changed: p, and L about the world's origin, so that with d from the centre of

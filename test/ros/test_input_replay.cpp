@@ -14,7 +14,7 @@ using test::Recorded;
 
 TEST_F(Recorded, RunIsRepeatedToTheLastBit) {
   wholeRun();
-  EXPECT_EQ(inputs.size(), 18U);
+  EXPECT_EQ(inputs.size(), 19U);
   expectRepeated(replayOf(inputs), 60);
 }
 
@@ -36,7 +36,7 @@ TEST_F(Recorded, InputsThatRemainAtTheEndOfARunAreCounted) {
   EXPECT_EQ(replay.lastStep(), 50U);
   EXPECT_EQ(replay.remaining(), inputs.size());
   replayTo(45, replay, repeated);
-  EXPECT_EQ(replay.remaining(), 8U);
+  EXPECT_EQ(replay.remaining(), 9U);
   replayTo(51, replay, repeated);
   EXPECT_TRUE(replay.isDone());
 }

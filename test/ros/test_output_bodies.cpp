@@ -104,6 +104,59 @@ TEST(LiveMarkers, DeleteTheTrailOfABodyThatLeavesAndBeginAnotherWhereItComesIn) 
   EXPECT_EQ(run.message.markers.back().points.size(), 2U);  // none from where it left
 }
 
+TEST(Outputs, HaveTheFramesOnABodyWhileItIsPresent) {
+  using Names = std::vector<std::string>;
+  test::PublishedRun run(0.01);
+  EXPECT_EQ(children(run.published.tf.front()), (Names{"box/tip", "post"}));
+  EXPECT_EQ(run.published.tf.front().transforms[0].header.frame_id, "box");
+  run.steps(2);
+  const std::size_t before = run.published.tf.size();
+  run.simulation.setPresent(1, std::nullopt);  // on which there is nothing
+  run.outputs.followBodies();
+  EXPECT_EQ(run.published.tf.size(), before);
+  run.simulation.setPresent(0, std::nullopt);
+  run.outputs.followBodies();
+  ASSERT_EQ(run.published.tf.size(), before + 1);
+  EXPECT_EQ(children(run.published.tf.back()), Names{"post"});
+  run.simulation.setPresent(0, initialState(run.scene, run.world).bodies[0]);
+  run.outputs.followBodies();
+  EXPECT_EQ(children(run.published.tf.back()), (Names{"box/tip", "post"}));
+  EXPECT_EQ(run.published.tf.back().transforms[0].header.stamp,
+            run.origin.stamp(run.simulation.time()));
+}
+
+TEST(Outputs, AreReadyForALawOfWhichABodyIsAbsent) {
+  const Scene scene = parseScene(R"(
+time_step: 0.01
+bodies:
+  - {name: guest, shape: {sphere: {radius: 1}}, mass: 1, absent: true, points: {tip: {}}}
+  - {name: ground, shape: {plane: {}}, fixed: true}
+forces:
+  - {type: spring, from: {body: guest}, to: {world: [0, 0, 3]}, stiffness: 10}
+  - {type: contact, between: [guest, ground], stiffness: 1.0e4}
+)",
+                                 "test");
+  test::PublishedRun run(scene, 100);
+  EXPECT_EQ(children(run.published.tf.front()), std::vector<std::string>{"ground"});
+  // as the node opens its topics, by the world of the simulation
+  test::PublishedMessages of_node;
+  openTopics(of_node, run.simulation.world(), {true});
+  EXPECT_EQ(of_node.names, run.published.names);
+  EXPECT_EQ(of_node.names.count("~law_forces"), 1U);
+  EXPECT_EQ(of_node.names.count("~contacts"), 1U);
+  run.steps(1);
+  EXPECT_TRUE(run.published.law_forces.back().forces.empty());
+  EXPECT_TRUE(run.published.contacts.empty() || run.published.contacts.back().contacts.empty());
+
+  BodyState above = initialState(scene, run.world).bodies[0];
+  above.x_W.z() = 0.99;
+  run.simulation.setPresent(0, above);
+  run.outputs.followBodies();
+  run.steps(1);
+  EXPECT_EQ(run.published.law_forces.back().forces.size(), 1U);
+  EXPECT_EQ(run.published.contacts.back().contacts.size(), 1U);
+}
+
 TEST(Outputs, AreSilentOfABodyThatIsAbsent) {
   using Names = std::vector<std::string>;
   test::PublishedRun run(0.01);

@@ -93,6 +93,9 @@ TEST_F(WrenchMessages, TakesWorldAxesAtTheCentreOfMass) {
   const PointWrench taken = take(onBody("map")).wrench;
   EXPECT_EQ(force(taken), F);
   EXPECT_EQ(torque(taken), T);  // no lever at all, not even one of rounding
+  EXPECT_TRUE(taken.at_center);
+  EXPECT_FALSE(take(onBody("box")).wrench.at_center);
+  EXPECT_FALSE(take(applied("map")).wrench.at_center);  // at the origin of the body
 }
 
 TEST_F(WrenchMessages, TakesBodyAxesAtTheBodyOrigin) {

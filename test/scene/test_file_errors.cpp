@@ -51,6 +51,18 @@ TEST(SceneText, IsRefusedWhenEmpty) {
   EXPECT_EQ(errorOf("---\n"), "s.yaml:2: a mapping is expected, got nothing");
 }
 
+TEST(SceneText, ThatIsNotYamlIsRefusedWithTheLineWhereTheMistakeMayBe) {
+  EXPECT_EQ(errorOf("bodies:\n  - shape: {box: [1, 2, 3]\n    mass: 1\n"),
+            "s.yaml:3: not YAML: did not find expected ',' or '}', while parsing a flow mapping "
+            "that begins in line 2");
+  EXPECT_EQ(errorOf("a: 1\nb: \"word\nc: 2\n"),
+            "s.yaml:4: not YAML: found unexpected end of stream, while scanning a quoted scalar "
+            "that begins in line 2");
+  EXPECT_EQ(errorOf("time_step 0.01\nbodies:\n"),
+            "s.yaml:2: not YAML: mapping values are not allowed in this context; or line 1 lacks a "
+            "':'");
+}
+
 TEST(SceneText, IsRefusedWhenNotYaml) {
   EXPECT_EQ(errorOf("time_step: 0.01\nbodies: [}\n"),
             "s.yaml:2: not YAML: did not find expected node content");

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/wrench_in_frames.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 #include <rigid_body_sim/scene/state_file.hpp>
@@ -165,6 +166,22 @@ TEST_P(MassChangeOfScene, IsSavedAndGoesOnWithTheSameBits) {
   test::expectSameState(changed.state(), fresh.state());
 }
 
+TEST(MassChangeInAFile, KeepsAForceAtTheCentreOfMassThere) {
+  Simulation changed = runOfMassScene(kMassScenes[0], lighterBox());
+  Simulation fresh = changed;
+  changed.applyWrench("held",
+                      wrenchAtCenterOfMass(changed.world().bodies, 0, {1, 2, 3}, {0, 0, 0}));
+  fresh.load(parseState(stateText(changed.world(), changed.state()), "state", fresh.world()));
+  for (Simulation* sim : {&changed, &fresh}) {
+    stepMassScene(*sim, 5);
+    sim->setMassProperties(0, heavierBox());
+    stepMassScene(*sim, 20);
+  }
+  test::expectSameState(fresh.state(), changed.state());
+  ASSERT_EQ(fresh.activeWrenches(0).size(), 2U);
+  EXPECT_TRUE(fresh.activeWrenches(0)[0].at_center || fresh.activeWrenches(0)[1].at_center);
+}
+
 TEST(MassChangeInAFile, ThatBreaksARuleIsRefusedInOneLine) {
   Simulation sim = runOfMassScene(kMassScenes[0], lighterBox());
   sim.setMassProperties(0, heavierBox());
@@ -174,8 +191,9 @@ TEST(MassChangeInAFile, ThatBreaksARuleIsRefusedInOneLine) {
     parseState(text, "run.state", sim.world());
     FAIL() << "was read";
   } catch (const std::exception& refused) {
-    EXPECT_NE(std::string(refused.what()).find("mass must be > 0 kg, got -35"), std::string::npos)
-        << refused.what();
+    const std::string line = refused.what();
+    EXPECT_NE(line.find(": body 'box': mass must be > 0 kg, got -35"), std::string::npos) << line;
+    EXPECT_EQ(line.find("body 'box'"), line.rfind("body 'box'")) << line;  // named once
     EXPECT_EQ(std::string(refused.what()).rfind("run.state:", 0), 0U) << refused.what();
   }
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/dynamics/wrench_in_frames.hpp>
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
@@ -90,6 +91,9 @@ class Recorded : public ::testing::Test {
     stepTo(50);
     node.apply(ClearInput{ClearInput::kEveryBody, "e"});
     node.apply(WindInput{Vector3d(0.1, -2, 1.0 / 3)});
+    PointWrench at_center = wrenchAtCenterOfMass(run.world().bodies, 0, {1, 2, 0.3}, {0, 0.1, 0});
+    at_center.start = run.time();
+    node.apply(WrenchInput{"f", at_center});
     MassProperties heavier{2.7, {0.1, -1.0 / 3, 0.2}, Matrix3d::Zero()};
     heavier.I_Bcm << 1.1, 0.1, -0.2, 0.1, 1.4, 1.0 / 7, -0.2, 1.0 / 7, 1.9;
     node.apply(MassInput{0, heavier});

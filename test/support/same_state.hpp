@@ -30,6 +30,7 @@ inline void expectSameWrench(const ScheduledWrench& a, const ScheduledWrench& b)
   EXPECT_EQ(a.wrench.force, b.wrench.force);
   EXPECT_EQ(a.wrench.torque, b.wrench.torque);
   EXPECT_EQ(a.wrench.point, b.wrench.point);
+  EXPECT_EQ(a.wrench.at_center, b.wrench.at_center);
   EXPECT_EQ(a.wrench.start, b.wrench.start);
   EXPECT_EQ(a.wrench.end, b.wrench.end);
 }

@@ -77,6 +77,8 @@ TEST_F(PlotBag, HoldsForcesAndTheBalanceOfItsTopics) {
   write("/box/wrench", wrench);  // an input, not what the simulation applied
   Contacts contacts;
   contacts.header.stamp = start;
+  write("/rigid_body_node/contacts", contacts);  // nothing touches yet
+  contacts.header.stamp = start + ros::Duration(0.5);
   contacts.contacts.resize(2);
   for (ContactState& contact : contacts.contacts) {
     contact.body = "box";
@@ -98,8 +100,10 @@ TEST_F(PlotBag, HoldsForcesAndTheBalanceOfItsTopics) {
   EXPECT_EQ(run.applied.all()[0].samples.rows, (std::vector<std::array<double, 6>>{{5, 0, 0}}));
   ASSERT_EQ(run.contact.all().size(), 2U);
   EXPECT_EQ(run.contact.all()[0].body, "ball");
-  EXPECT_EQ(run.contact.all()[0].samples.rows[0], (std::array<double, 3>{-2, 0, -8}));
-  EXPECT_EQ(run.contact.all()[1].samples.rows[0], (std::array<double, 3>{2, 0, 8}));
+  using Rows = std::vector<std::array<double, 3>>;
+  EXPECT_EQ(run.contact.all()[0].samples.rows, (Rows{{0, 0, 0}, {-2, 0, -8}}));
+  EXPECT_EQ(run.contact.all()[1].samples.rows, (Rows{{0, 0, 0}, {2, 0, 8}}));
+  EXPECT_EQ(run.contact.all()[1].samples.t, (std::vector<double>{0, 0.5}));
   ASSERT_EQ(run.balance.rows.size(), 1U);
   EXPECT_EQ(run.balance.rows[0][0], 7);
   EXPECT_EQ(run.balance.rows[0][9], 1e-9);

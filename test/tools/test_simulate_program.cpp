@@ -152,6 +152,26 @@ forces: [{type: spring, from: {body: held}, to: {world: [0, 9, 1]}, stiffness: 4
   EXPECT_EQ(said[6].find("  changed by spring: energy "), 0U) << said[6];
 }
 
+TEST(Simulate, PrintsNoNumberThatIsTooGreatForOne) {
+  const auto saidOf = [](const std::string& mass_and_twist) {
+    return lines(simulate(sceneFile("time_step: 0.01\ngravity: [0, 0, -10]\nbodies:\n"
+                                    "  - {name: ball, shape: {sphere: {radius: 1.0e-3}}, " +
+                                    mass_and_twist +
+                                    "}\nwrenches: [{body: ball, frame: world, force: [1, 0, 0], "
+                                    "start: 5, duration: 1}]\n") +
+                          " --duration 1 2>/dev/null")
+                     .out);
+  };
+  // the square of the momentum would be infinite, the energy is not
+  const std::vector<std::string> heavy = saidOf("mass: 1.0e300");
+  ASSERT_EQ(heavy.size(), 3U);
+  EXPECT_EQ(heavy[2], "  conserved: energy 0 J to 0, momentum to 0, angular momentum to 0");
+  const std::vector<std::string> far = saidOf("mass: 1.0e300, position: [0, 0, 1.0e9]");
+  ASSERT_EQ(far.size(), 3U);
+  EXPECT_EQ(far[2],
+            "  whether conserved is not known: energy and momenta are too great for numbers");
+}
+
 TEST(Simulate, RefusesAnIntegratorThatDoesNotTakeTheScene) {
   const Outcome run = simulate(scenePath("spring_pair.yaml") + " --integrator taylor 2>&1");
   EXPECT_EQ(run.exit_code, 1);

@@ -21,10 +21,16 @@ std::vector<std::string> describeSolution(const Simulation& simulation);
 /// Says that steps were divided further than asked for, and how far; empty if none was.
 std::string describeSubsteps(const Simulation& simulation);
 
-/// Says that the integrator has magnified the turning of a thin body about its long axis by more
-/// than half of the digits of a number, and what to do; empty if it has not. See
-/// Simulation::magnification.
+/// Says that rounding has been magnified by more than half of the digits of a number; empty if it
+/// has not: by an integrator, what a thin body turns about its long axis, and what to do
+/// (Simulation::magnification); by the motion itself, the start of a free rotation that is solved,
+/// near the unstable axis, in a world of at most 100 bodies.
 std::string describeMagnification(const Simulation& simulation);
+
+/// The same of every motion that is solved, in a run from a start without inputs: a second run
+/// shows it that starts 1e-10 beside it. Empty, too, where something is integrated, in a world with
+/// laws, and where that run would take more than a tenth of a second.
+std::string describeInstability(const Simulation& simulation, const State& start);
 
 /// Says from when on the tolerance is not held, as far as errors are tracked; empty while it is.
 std::string describePromise(const Simulation& simulation);

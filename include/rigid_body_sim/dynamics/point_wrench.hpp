@@ -22,7 +22,8 @@ struct PointWrench {
   Vector3d torque = Vector3d::Zero();  ///< [N m] a free couple
   std::size_t point_frame = kOwnBody;  ///< of point: world frame or a body's principal frame
   Vector3d point = Vector3d::Zero();   ///< [m]
-  double start = 0;                    ///< [s] acts for start <= t < end
+  bool at_center = false;  ///< point is Body::com_P of the body acted on, and goes along with it
+  double start = 0;        ///< [s] acts for start <= t < end
   double end = std::numeric_limits<double>::infinity();  ///< [s]
 };
 

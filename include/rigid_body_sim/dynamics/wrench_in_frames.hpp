@@ -26,7 +26,8 @@ PointWrench wrenchInWorldAxes(const std::vector<Body>& bodies, std::size_t body,
                               const Vector3d& force_W, const Vector3d& torque_W,
                               const Vector3d& point_B);
 
-/// Force [N] and torque [N m] in world axes, the force at the centre of mass.
+/// Force [N] and torque [N m] in world axes, the force at the centre of mass, wherever that
+/// is when mass properties are set.
 PointWrench wrenchAtCenterOfMass(const std::vector<Body>& bodies, std::size_t body,
                                  const Vector3d& force_W, const Vector3d& torque_W);
 

@@ -52,7 +52,21 @@ MediumSegment::MediumSegment(const Body& body, const HeldWrench& wrench, const V
   equations_.moments = wrench.medium->lift_arm_P * wrench.medium->lift_W.transpose();
   for (const HeldWrench::BodyPointForce& force : wrench.body_point_forces)
     equations_.moments += force.arm_P * force.force_W.transpose();
+  takeTranslationOut(wrench);
   startAnew(wrench, start);
+}
+
+/// Where no force depends on the attitude and no torque on the place: of the series, nothing moves.
+void MediumSegment::takeTranslationOut(const HeldWrench& wrench) {
+  MediumLoad& load = equations_.load;
+  if (!load.isOfTranslation() || load.quadratic != 0 || !wrench.f_P.isZero(0) ||
+      !wrench.world_point_forces.empty())
+    return;
+  translation_.emplace(1 / equations_.inv_mass, load.linear * equations_.inv_mass, equations_.a_W,
+                       load.velocity_W);
+  load.linear = 0;
+  load.velocity_W.setZero();
+  equations_.a_W.setZero();
 }
 
 void MediumSegment::startAnew(const HeldWrench& same_wrench, const BodyState& start) {
@@ -63,6 +77,7 @@ void MediumSegment::startAnew(const HeldWrench& same_wrench, const BodyState& st
   for (int j = 0; j < 3; ++j)
     series_.axes[0].col(j) = rotateBack(start.q_WP, Vector3d(Vector3d::Unit(j)));
   series_.v[0] = start.p_W * equations_.inv_mass - equations_.load.velocity_W;
+  if (translation_) series_.v[0].setZero();
   setUpRate();
   expandMedium(equations_, series_);
 
@@ -194,6 +209,10 @@ double MediumSegment::lowest(int axis, double before, double after) const {
   return high;
 }
 
+double MediumSegment::smoothFor(double dt) const {
+  return translation_ ? translation_->smoothFor(start_, dt) : valid_for_;
+}
+
 BodyState MediumSegment::at(double dt) const {
   const double s = equations_.rate * dt;
   BodyState state;
@@ -201,6 +220,10 @@ BodyState MediumSegment::at(double dt) const {
   state.q_WP.coeffs() = series_.q[0] + gain(series_.q, s);
   renormalize(state.q_WP);
   state.L_W = start_.L_W + gain(series_.twist, s);
+  if (translation_) {
+    translation_->move(start_, dt, state);
+    return state;
+  }
   state.p_W = start_.p_W + gain(series_.v, s) / equations_.inv_mass;
   const Vector3d moved = gain(series_.x, s);
   state.x_W = twoSum(start_.x_W, Vector3d(start_.x_low_W + moved), state.x_low_W);

@@ -32,7 +32,9 @@ class AsymmetricRotation {
   AsymmetricRotation(const ScaledInertia<T>& inertia, const FreeInvariants<T>& invariants,
                      const Quaternion<T>& q_WP);
 
-  RotationState<T> at(T dt) const;
+  /// All that it calls is inlined: it is most of what a state of a free body costs, and what the
+  /// compiler would inline depends on the files that it is compiled with.
+  __attribute__((flatten)) RotationState<T> at(T dt) const;
 
  private:
   /// The part of ψ/σ that is not proportional to time, from the argument u₀ to u = u₀ + v.

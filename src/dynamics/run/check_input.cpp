@@ -143,6 +143,9 @@ void checkWrench(const World& world, const PointWrench& wrench) {
             "': axes and point must not be those of a body that is absent");
   require(wrench.force.allFinite() && wrench.torque.allFinite() && wrench.point.allFinite(),
           "wrench on body '", body, "': force, torque and point must be finite");
+  const bool own = wrench.point_frame == kOwnBody || wrench.point_frame == wrench.body;
+  require(!wrench.at_center || (own && wrench.point == world.bodies[wrench.body].com_P),
+          "wrench on body '", body, "': at its centre of mass, point must be that of the body");
   require(!std::isnan(wrench.start) && !std::isnan(wrench.end), "wrench on body '", body,
           "': start and end must be numbers");
 }

@@ -9,6 +9,7 @@
 #include "dynamics/methods/pivots.hpp"
 #include "dynamics/rotation/free_top.hpp"
 #include "dynamics/run/contact_bound.hpp"
+#include "dynamics/run/magnified_text.hpp"
 #include "dynamics/world_changes.hpp"
 
 namespace rigid_body_sim {
@@ -32,6 +33,13 @@ bool leaveFree(const World& world, const Body& body, const std::vector<PointWren
            const HeldWrench held = body.pivoted ? heldOnPivot(body, sum, pivot) : sum.sum();
            return held.torqueFree();
          });
+}
+
+std::set<std::size_t> bodiesInMedium(const World& world) {
+  std::set<std::size_t> in_medium;
+  for (const auto& law : world.laws)
+    if (law->isOfMedium()) in_medium.insert(law->members().front());
+  return in_medium;
 }
 
 /// Names of the laws on each body, each name once; one pass over the laws of the world.
@@ -138,6 +146,52 @@ std::string contactText(const Simulation& simulation) {
   return text.str();
 }
 
+/// Of 16 digits half are left where rounding has grown that much.
+constexpr double kDigitsLost = 8;
+
+/// [rad per rad] How far apart two free rotations come in a time that start a little apart.
+double magnificationOf(const Body& body, const BodyState& start, double duration) {
+  constexpr double kApart = 1e-10;  // 1e-15 of what it grows to is rounding
+  const FreeTop<double> top(body.I);
+  const auto attitude = [&](const Vector3d& L_P) {
+    return top.from(start.q_WP, L_P, rotate(start.q_WP, L_P)).at(duration).q_WP;
+  };
+  const Quaterniond end = attitude(start.L_P);
+  double most = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3d other = start.L_P + kApart * stableNorm(start.L_P) * Vector3d::Unit(axis);
+    most = std::max(most, angleBetween(attitude(other), end) / kApart);
+  }
+  return most;
+}
+
+/// What the free rotation of a body that is solved has magnified since its anchor, where that is
+/// much: no digit is lost on the way, but those of its start are spread out.
+std::string magnificationOfSolved(const Simulation& simulation) {
+  constexpr std::size_t kMost = 100;  // bodies: the node asks once a second
+  const World& world = simulation.world();
+  if (world.bodies.size() > kMost) return "";
+  const auto wrenches = wrenchesByBody(world);
+  const std::set<std::size_t> in_medium = bodiesInMedium(world);
+  const State state = simulation.state();
+  double most = 0;
+  std::size_t which = 0;
+  for (const MotionPlan& plan : simulation.plans()) {
+    const std::size_t i = plan.bodies.front();
+    const Body& body = world.bodies[i];
+    if (!plan.integrator.empty() || FreeTop<double>(body.I).kind() != InertiaKind::asymmetric ||
+        in_medium.count(i) > 0 || !leaveFree(world, body, wrenches[i]))
+      continue;
+    const MotionAnchor anchor = i < state.anchors.size() ? state.anchors[i] : MotionAnchor();
+    if (!(anchor.horizon > state.t)) continue;  // not solved yet, or no longer from there
+    const double magnification = magnificationOf(body, anchor.state, state.t - anchor.t);
+    if (magnification > most) which = i;
+    most = std::max(most, magnification);
+  }
+  if (!(most > std::pow(10, kDigitsLost))) return "";
+  return magnifiedText(world.bodies[which], most);
+}
+
 /// A line for each body, or, of very many, for neighbours of which the same is to be said.
 std::vector<std::string> linesOf(const World& world, const std::vector<std::string>& texts) {
   constexpr std::size_t kMany = 40;
@@ -156,13 +210,18 @@ std::vector<std::string> linesOf(const World& world, const std::vector<std::stri
 
 }  // namespace
 
+std::string magnifiedText(const Body& body, double magnification) {
+  return "the motion of body '" + body.name +
+         "' magnifies a difference at its start, rounding, too, 10^" +
+         std::to_string(std::llround(std::log10(magnification))) +
+         " times by now: it is that of its start to the last digit, and no body starts so exactly";
+}
+
 std::vector<std::string> describeSolution(const Simulation& simulation) {
   const World& world = simulation.world();
   const auto laws = lawNames(world);
   const auto wrenches = wrenchesByBody(world);
-  std::set<std::size_t> in_medium;
-  for (const auto& law : world.laws)
-    if (law->isOfMedium()) in_medium.insert(law->members().front());
+  const std::set<std::size_t> in_medium = bodiesInMedium(world);
   std::vector<std::string> texts, shortfalls;
   for (const Body& body : world.bodies) texts.push_back(body.absent ? "absent" : "fixed");
   for (const MotionPlan& plan : simulation.plans()) {
@@ -189,8 +248,8 @@ std::string describeSubsteps(const Simulation& simulation) {
 }
 
 std::string describeMagnification(const Simulation& simulation) {
-  // of 16 digits half are left where rounding has grown that much
-  constexpr double kDigitsLost = 8;
+  const std::string of_solved = magnificationOfSolved(simulation);
+  if (!of_solved.empty()) return of_solved;
   const double digits = simulation.magnification() / std::log(10.0);
   if (!(digits > kDigitsLost)) return "";
   return simulation.world().solver.integrator +

@@ -223,7 +223,9 @@ void Group::solve(double t, double t_end, double next_event, Meter& meter) {
                [&]([[maybe_unused]] const SolvedMotion& motion, [[maybe_unused]] double from,
                    [[maybe_unused]] double to) {
                  if constexpr (!std::is_same_v<Meter, NoMeter>)
-                   meter(MotionPiece(system_, motion, next_.laws, from, to));
+                   forSmoothPieces(motion, from, to, [&](double begin, double end) {
+                     meter(MotionPiece(system_, motion, next_.laws, begin, end));
+                   });
                });
   next_.bodies[0] = solved_->at(t_end);
 }

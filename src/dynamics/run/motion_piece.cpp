@@ -41,14 +41,15 @@ void MotionPiece::at(double t, SystemState& states) const {
 /// (N = 20). Where the integrand is analytic up to there, the rule's error falls by
 /// r² >= (22/share)² a node: r is the sum of the half axes of the ellipse with foci at both ends
 /// that reaches the nearest singularity. Series to a looser tolerance reach further; there the rule
-/// errs by less than they do. Source: Trefethen, SIAM Review 50 (2008) 67, theorem 4.5.
+/// errs by less than they do. Source: Trefethen, SIAM Review 50 (2008) 67, theorem 4.5. An
+/// exponential decay has no singularity, and holds longer than such a rule sees it.
 ///
 /// A substep: a node more than half the order, rounded down, so that the rule is of a higher order
 /// than the integrator.
 int MotionPiece::gaussNodes() const {
   if (method_) return method_->order / 2 + 1;
   constexpr double kDigits = 18;
-  const double share = (end_ - start_) / (motion_->validUntil() - start_);
+  const double share = (end_ - start_) / (motion_->smoothUntil(start_) - start_);
   const double digits_a_node = 2 * std::log10(22 / std::max(share, 1e-12));
   return std::clamp(static_cast<int>(std::ceil(kDigits / digits_a_node)), 2, kMaxGaussNodes);
 }

@@ -85,8 +85,8 @@ void Run::advance(ExchangeMeter* meter) {
   try {
     if (grouping_.mayChangeBy(t_end))
       LinkingStep(now_, grouping_, contacts_, step_, t_end, meter).advance();
-    const bool all_packed = now_.packs.size() == now_.groups.size();
-    for (std::size_t g = 0; !all_packed && g < now_.groups.size(); ++g) {
+    const std::size_t groups = now_.packs.size() == now_.groups.size() ? 0 : now_.groups.size();
+    for (std::size_t g = 0; g < groups; ++g) {
       if (known_beyond < now_.groups.knownUntil(g)) continue;
       step_.beginGroup(g, t_end, now_.groups, now_.schedules);
       now_.advance(now_.groups[g], t_end, now_.schedules, meter);
@@ -107,15 +107,20 @@ void Run::takeBack() {
 }
 
 void Run::accept(double t_end) {
-  std::vector<std::size_t> switched;
-  if (step_.hasBegun()) {
-    if (step_.hasRegrouped()) {
-      grouping_.findNextLink(now_);
-      now_.offerAll();
-    }
-    for (std::size_t body : step_.scheduled()) now_.packs.offer(body);
-    switched = step_.accept(t_end, now_.groups, now_.schedules);
+  if (step_.hasBegun()) return acceptBegun(t_end);
+  now_.time = t_end;
+  ++now_.steps;
+  if (now_.packs.size() > 0) now_.stepPacks(1);
+}
+
+/// Where more has been advanced than motion that is known beforehand.
+void Run::acceptBegun(double t_end) {
+  if (step_.hasRegrouped()) {
+    grouping_.findNextLink(now_);
+    now_.offerAll();
   }
+  for (std::size_t body : step_.scheduled()) now_.packs.offer(body);
+  const std::vector<std::size_t> switched = step_.accept(t_end, now_.groups, now_.schedules);
   now_.time = t_end;
   ++now_.steps;
   if (now_.packs.size() > 0) now_.stepPacks(1);

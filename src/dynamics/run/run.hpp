@@ -98,6 +98,7 @@ class Run {
   void goOnAs(Run& changed, const State& state);
   void advance(ExchangeMeter* meter);
   void accept(double t_end);
+  void acceptBegun(double t_end);
   void takeBack();
   void preparePacks(double t_end, bool metered);
   std::int64_t packedSteps(std::int64_t at_most) const;

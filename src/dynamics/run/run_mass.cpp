@@ -50,8 +50,7 @@ void Run::setMassProperties(std::size_t body, const MassProperties& properties_B
   constexpr double kNotSolved = -std::numeric_limits<double>::infinity();
   state.anchors[body] = {state.t, state.bodies[body], kNotSolved};
   for (BodySchedule& schedule : state.schedules)
-    for (ScheduledWrench& entry : schedule.wrenches)
-      reframe(entry.wrench, body, frameBefore(before, after));
+    for (ScheduledWrench& entry : schedule.wrenches) reframe(entry.wrench, body, before, after);
   goOnAs(changed, state);
   contacts_.follow(now_, grouping_, body);
 }

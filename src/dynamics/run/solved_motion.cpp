@@ -1,6 +1,7 @@
 #include "dynamics/run/solved_motion.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include <rigid_body_sim/math/rotation.hpp>
 
@@ -131,6 +132,35 @@ MotionAnchor SolvedMotion::anchor() const {
 
 double SolvedMotion::finiteUntil(const BodyState& state) const {
   return modest_ && isModest(state) ? std::min(valid_until_, anchor_ + kModestTime) : anchor_;
+}
+
+double SolvedMotion::smoothUntil(double t) const {
+  const auto* in_medium = std::get_if<InMedium>(&motion_);
+  return in_medium ? std::min(valid_until_, t + (*in_medium)->smoothFor(t - anchor_))
+                   : valid_until_;
+}
+
+std::string tooFastText(const SolvedProblem& problem, const BodyState& state, bool stuck) {
+  const Body& body = problem.body;
+  const Vector3d w_P = angularVelocity(body.inv_I, state.L_P);
+  double spin = stableNorm(w_P), slowed = 0;
+  if (const auto& load = problem.wrench.medium) {
+    const double speed = stableNorm(Vector3d(state.p_W / body.mass - load->velocity_W)) +
+                         stableNorm(w_P) * stableNorm(load->center_P);
+    const double linear = load->linear + load->linear_P.cwiseAbs().maxCoeff() +
+                          (load->quadratic + load->quadratic_axes.maxCoeff()) * speed;
+    slowed =
+        std::max(linear / body.mass, load->angular_P.cwiseAbs().maxCoeff() * body.inv_I.maxCoeff());
+  }
+  std::ostringstream text;
+  text << "the motion is too fast to be followed";
+  if (slowed > spin)
+    text << ": drag slows it down at " << slowed << "/s";
+  else if (spin > 0)
+    text << ": it turns at " << spin << " rad/s";
+  text << (stuck ? "; " : "; a shorter time_step or ")
+       << (slowed > spin ? "weaker drag" : "slower turning, or less torque,") << " is needed";
+  return text.str();
 }
 
 BodyState SolvedMotion::at(double t) const {

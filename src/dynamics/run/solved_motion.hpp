@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <string>
 #include <variant>
 
 #include "dynamics/medium/medium_segment.hpp"
@@ -37,6 +39,10 @@ class SolvedMotion {
   /// [s] the time up to which the solution holds; NaN where the motion is not finite.
   double validUntil() const { return valid_until_; }
 
+  /// [s] Time up to which, from t on, a Gauss-Legendre rule sees all that happens; at most
+  /// validUntil().
+  double smoothUntil(double t) const;
+
   /// [s] Time up to which the solution is guaranteed finite, by one of its states; the anchor where
   /// the numbers are so large that only evaluation shows it.
   double finiteUntil(const BodyState& state) const;
@@ -66,6 +72,21 @@ class SolvedMotion {
   Motion motion_;
 };
 
+/// Why a motion cannot be followed from a state on: what is fastest in it, and what to do. stuck:
+/// its series does not hold up to the next number that time can be; else only not over a step.
+std::string tooFastText(const SolvedProblem& problem, const BodyState& state, bool stuck);
+
+/// Calls visit(begin, end) for parts of a stretch of a motion over which it is smooth.
+template <class Visit>
+void forSmoothPieces(const SolvedMotion& motion, double from, double to, const Visit& visit) {
+  for (double begin = from; begin < to;) {
+    const double smooth = motion.smoothUntil(begin);
+    const double end = smooth > begin ? std::min(smooth, to) : to;
+    visit(begin, end);
+    begin = end;
+  }
+}
+
 /// Follows a motion from t, where it holds, to t_end: visit(motion, from, to) for each piece, each
 /// with an anchor of its own. Afterwards the motion holds at t_end. Throws StepTooLong.
 template <class Visit>
@@ -78,7 +99,7 @@ void followSolved(const SolvedProblem& problem, double t, double t_end, double h
       throw StepTooLong(
           "it has turned 1e15 rad since its last event: attitude no longer known to 1e-4 rad");
     if (!(t_valid > t) || segments == kMaxSegments)
-      throw StepTooLong("the motion is too fast to be followed");
+      throw StepTooLong(tooFastText(problem, motion.at(t), !(t_valid > t)));
     visit(motion, t, t_valid);
     motion.anchorAnew(problem, t_valid, motion.at(t_valid), horizon);
     t = t_valid;

@@ -132,12 +132,7 @@ int Stepper::divide(const System& system, double h, const SystemState& states) {
   const double needed = std::ceil(turn / (choice_.method->max_turn * choice_.max_turn_share));
   const double substeps = std::max<double>(choice_.substeps, needed);
   constexpr double kMaxSubsteps = 1e5;
-  if (!(substeps <= kMaxSubsteps)) {
-    std::ostringstream reason;
-    reason << "a step spans " << turn << " rad of its turning, swinging or slowing down, more than "
-           << choice_.method->name << " follows in " << kMaxSubsteps << " substeps";
-    throw StepTooLong(reason.str());
-  }
+  if (!(substeps <= kMaxSubsteps)) failTooFast(system, h, states, "100000 substeps");
   if (choice_.by_estimates) workspace_.step_bound = stepBound(h / substeps, turn / h);
   if (choice_.method->claimsTo(kFeedsLeastAxis))
     magnification_ += h * h / substeps * leastAxisGrowth(system, states);

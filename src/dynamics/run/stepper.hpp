@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include "dynamics/packs/packs.hpp"
 #include "dynamics/run/event_search.hpp"
@@ -90,6 +91,8 @@ class Stepper {
  private:
   double fastestRate(const System& system, double h, const SystemState& states) const;
   double fastestOfLaws(const System& system, double h, const SystemState& states) const;
+  [[noreturn]] void failTooFast(const System& system, double h, const SystemState& states,
+                                const std::string& limit) const;
   double rateBroughtAbout(const System& system, double h, const SystemState& states) const;
   StepBound stepBound(double h, double rate) const;
   double leastAxisGrowth(const System& system, const SystemState& states) const;

@@ -71,7 +71,9 @@ double Stepper::takeEstimatedStep(const System& system, double h, SystemState& s
     last_error = error;
     h *= std::isfinite(error) ? std::clamp(factor, 0.1, 0.8) : 0.1;
   }
-  throw StepTooLong(std::string(choice_.method->name) + " cannot follow a contact");
+  throw StepTooLong(std::string(choice_.method->name) +
+                    " cannot follow a contact, however short its substeps; a softer contact is "
+                    "needed");
 }
 
 bool Stepper::isBeyond(const SystemState& states) const {
@@ -96,9 +98,12 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
   if (at_rest_) return false;
   workspace_.step_bound = contactBound();
   double done = 0, next = h;
-  constexpr int kMaxSubsteps = 10000000;
+  constexpr int kMaxSubsteps = 1000000;
+  // what laws bring about at any state lasts over the whole step: that is known beforehand
+  if (!(h * law_rate_ <= kMaxSubsteps * choice_.method->max_turn))
+    failTooFast(system, h, states, "1e6 substeps in contact");
   for (int taken = 0; done < h; ++taken) {
-    if (taken == kMaxSubsteps) throw StepTooLong("a step in contact takes more than 1e7 substeps");
+    if (taken == kMaxSubsteps) failTooFast(system, h, states, "1e6 substeps in contact");
     const double left = h - done;
     double step = std::min({left, next, longestStep(system, h, states)});
     if (step < left && step > 0.5 * left) step = 0.5 * left;  // no sliver at the end

@@ -56,7 +56,10 @@ BodyStateT<T> advanceDriven(const Body& body, const HeldWrench& wrench, const Ve
     since += segment.validFor();
     segment.startAnew(wrench, state, since);
   }
-  throw StepTooLong("the motion is too fast to be followed");
+  throw StepTooLong(
+      "the motion is too fast to be followed; a shorter time_step, slower turning or less torque "
+      "is "
+      "needed");
 }
 
 extern template class DrivenSegmentT<double>;

@@ -131,7 +131,10 @@ BodyStateT<T> advanceTaylor(const Body& body, const HeldWrench& wrench, const Ve
     left -= segment.validFor();
     segment.startAnew(wrench, state, left);
   }
-  throw StepTooLong("the motion is too fast to be followed");
+  throw StepTooLong(
+      "the motion is too fast to be followed; a shorter time_step, slower turning or less torque "
+      "is "
+      "needed");
 }
 
 extern template class TaylorSegmentT<double>;

@@ -61,6 +61,7 @@ PointWrench wrenchAtCenterOfMass(const std::vector<Body>& bodies, std::size_t bo
                                  const Vector3d& force_W, const Vector3d& torque_W) {
   PointWrench wrench = checkedWrench(bodies, body, force_W, torque_W, Vector3d::Zero());
   wrench.point = bodies[body].com_P;
+  wrench.at_center = true;
   return wrench;
 }
 

@@ -24,6 +24,10 @@ std::size_t frameOf(const std::string& name, const World& world) {
   return name.empty() ? kWorld : bodyNamed(name, world.bodies);
 }
 
+/// In the place of a frame of `point`: that of the body acted on, which goes along when mass
+/// properties are set. No name of a body has spaces.
+const char* const kCenterOfMass = "centre of mass";
+
 Input messageOf(const WrenchInput& input, const World& world, const std::string&) {
   const PointWrench& wrench = input.wrench;
   Input message;
@@ -33,7 +37,8 @@ Input messageOf(const WrenchInput& input, const World& world, const std::string&
   message.axes = frameName(wrench.axes, wrench.body, world);
   message.wrench.force = toVector3(wrench.force);
   message.wrench.torque = toVector3(wrench.torque);
-  message.point_frame = frameName(wrench.point_frame, wrench.body, world);
+  message.point_frame =
+      wrench.at_center ? kCenterOfMass : frameName(wrench.point_frame, wrench.body, world);
   message.point = toPoint(wrench.point);
   message.start = wrench.start;
   message.end = wrench.end;
@@ -118,7 +123,8 @@ WrenchInput wrenchOf(const Input& message, const World& world) {
   wrench.axes = frameOf(message.axes, world);
   wrench.force = fromVector3(message.wrench.force);
   wrench.torque = fromVector3(message.wrench.torque);
-  wrench.point_frame = frameOf(message.point_frame, world);
+  wrench.at_center = message.point_frame == kCenterOfMass;
+  wrench.point_frame = wrench.at_center ? wrench.body : frameOf(message.point_frame, world);
   wrench.point = fromPoint(message.point);
   wrench.start = message.start;
   wrench.end = message.end;

@@ -75,6 +75,7 @@ WrenchInput WrenchIntake::take(const std::string& body, const geometry_msgs::Wre
     input.wrench = resolved(wrench);
     // exactly, where the way through the body frame would leave a lever of rounding
     input.wrench.point = (*bodies_)[input.wrench.body].com_P;
+    input.wrench.at_center = true;
     return input;
   }
   requireFixedToBody(wrench);

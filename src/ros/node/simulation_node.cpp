@@ -257,9 +257,12 @@ void SimulationNode::prepareForInput() {
 
 /// Reports a divergence before it is thrown on.
 void SimulationNode::reportingDivergence(const std::function<void()>& action) {
+  watch_.begin(simulation_.time());
   try {
     action();
+    watch_.end();
   } catch (const SimulationDiverged& error) {
+    watch_.end();
     divergence_ = error.what();
     report();
     throw;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include <ros/console.h>
 #include <ros/node_handle.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -13,6 +14,7 @@
 #include <rigid_body_sim/Step.h>
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "programs/step_watch.hpp"
 #include "ros/clock/timekeeper.hpp"
 #include "ros/inputs/command_interfaces.hpp"
 #include "ros/inputs/input_context.hpp"
@@ -100,6 +102,7 @@ class SimulationNode {
   StateServices states_;
   StateFiles state_files_;
   ros::ServiceServer pause_, step_, reset_, real_time_factor_;
+  StepWatch watch_{[](const std::string& text) { ROS_WARN("%s", text.c_str()); }};
 };
 
 }  // namespace rigid_body_sim

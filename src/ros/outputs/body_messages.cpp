@@ -1,5 +1,6 @@
 #include "ros/outputs/body_messages.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <rigid_body_sim/math/isometry.hpp>
@@ -21,24 +22,40 @@ boost::array<double, 36> diagonalMatrix(const std::array<double, 6>& diagonal) {
 BodyMessages::BodyMessages(const Scene& scene, const NodeOptions& options)
     : world_frame_(scene.world_frame),
       frames_(scene, options.tf_prefix),
-      covariance_(diagonalMatrix(options.odometry_covariance)) {}
+      covariance_(diagonalMatrix(options.odometry_covariance)) {
+  const auto add = [this](std::size_t body, const std::string& name, const Isometry3d& X_BQ) {
+    frames_on_bodies_.push_back(
+        {body, toTransform(X_BQ, frames_.of(body), frames_.of(body, name), ros::Time())});
+  };
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    for (const PointDef& point : scene.bodies[i].points)
+      add(i, point.name, isometry(point.orientation, point.position));
+    for (const ImuDef& def : scene.bodies[i].imus)
+      add(i, def.imu.name, isometry(def.imu.q_BS, def.imu.position_B));
+  }
+}
 
-tf2_msgs::TFMessage BodyMessages::fixedTransforms(const Scene& scene, const Simulation& simulation,
+tf2_msgs::TFMessage BodyMessages::fixedTransforms(const Simulation& simulation,
                                                   const ros::Time& stamp) const {
   const std::vector<Body>& bodies = simulation.world().bodies;
   tf2_msgs::TFMessage message;
+  auto frame = frames_on_bodies_.begin();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].fixed)
       message.transforms.push_back(
           toTransform(bodies[i], simulation.body(i), world_frame_, frames_.of(i), stamp));
-    for (const PointDef& point : scene.bodies[i].points)
-      message.transforms.push_back(toTransform(isometry(point.orientation, point.position),
-                                               frames_.of(i), frames_.of(i, point.name), stamp));
-    for (const ImuDef& def : scene.bodies[i].imus)
-      message.transforms.push_back(toTransform(isometry(def.imu.q_BS, def.imu.position_B),
-                                               frames_.of(i), frames_.of(i, def.imu.name), stamp));
+    for (; frame != frames_on_bodies_.end() && frame->body == i; ++frame) {
+      if (bodies[i].absent) continue;
+      message.transforms.push_back(frame->transform);
+      message.transforms.back().header.stamp = stamp;
+    }
   }
   return message;
+}
+
+bool BodyMessages::hasFramesOn(std::size_t body) const {
+  return std::any_of(frames_on_bodies_.begin(), frames_on_bodies_.end(),
+                     [body](const FrameOn& frame) { return frame.body == body; });
 }
 
 tf2_msgs::TFMessage BodyMessages::transforms(const std::vector<std::size_t>& bodies,

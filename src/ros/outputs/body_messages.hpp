@@ -35,9 +35,11 @@ class BodyMessages {
   static constexpr const char* kFollowed = "followed_body";
   void follow(std::optional<std::size_t> body) { followed_ = body; }
 
-  /// Of fixed bodies, and of named points and IMUs on all bodies; for /tf_static.
-  tf2_msgs::TFMessage fixedTransforms(const Scene& scene, const Simulation& simulation,
-                                      const ros::Time& stamp) const;
+  /// Of fixed bodies, and of named points and IMUs on bodies that are present; for /tf_static.
+  tf2_msgs::TFMessage fixedTransforms(const Simulation& simulation, const ros::Time& stamp) const;
+
+  /// Whether points or IMUs of a body are on /tf_static while it is present.
+  bool hasFramesOn(std::size_t body) const;
 
   /// Of these bodies, and of what is followed.
   tf2_msgs::TFMessage transforms(const std::vector<std::size_t>& bodies, const Snapshot& snapshot,
@@ -58,8 +60,13 @@ class BodyMessages {
  private:
   std::string world_frame_;
   TfFrames frames_;
-  boost::array<double, 36> covariance_;  // of pose and twist
-  std::optional<std::size_t> followed_;  // by cameras
+  struct FrameOn {
+    std::size_t body;
+    geometry_msgs::TransformStamped transform;
+  };
+  std::vector<FrameOn> frames_on_bodies_;  // named points and IMUs, body by body
+  boost::array<double, 36> covariance_;    // of pose and twist
+  std::optional<std::size_t> followed_;    // by cameras
 };
 
 }  // namespace rigid_body_sim

@@ -63,10 +63,11 @@ void Outputs::followBodies() {
   followed_changes_ = simulation_->worldChanges();
   const std::vector<Body>& bodies = simulation_->world().bodies;
   std::set<std::string> leaving;
-  bool changed = false;
+  bool changed = false, frames_changed = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].absent == absent_[i]) continue;
     changed = true;
+    frames_changed |= messages_.hasFramesOn(i);
     if (!bodies[i].absent) continue;
     leaving.insert(bodies[i].name);
     live_markers_.endTrail(i);
@@ -74,6 +75,9 @@ void Outputs::followBodies() {
   if (!changed) return;
   listBodies();
   const ros::Time stamp = origin_.stamp(shownTime());
+  // latched: whoever comes later has the frames of the bodies that are present
+  if (frames_changed)
+    topics_.tf_static.publish(messages_.fixedTransforms(*simulation_, stamp), stamp);
   // not latched: whoever comes later is not to delete anything
   if (!leaving.empty()) topics_.live_markers.publish(markers_.deletions(leaving), stamp);
   markers_.publish(absentBodies(), stamp);

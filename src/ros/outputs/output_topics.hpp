@@ -20,6 +20,7 @@
 #include <rigid_body_sim/dynamics/line_force.hpp>
 #include <rigid_body_sim/dynamics/world.hpp>
 
+#include "dynamics/world_changes.hpp"
 #include "ros/outputs/topic.hpp"
 
 namespace rigid_body_sim {
@@ -107,9 +108,10 @@ OutputTopics openTopics(Transport& transport, const World& world, const TopicCho
   topics.live_markers =
       transport.template open<visualization_msgs::MarkerArray>("~markers", !kLatched);
   topics.states = transport.template open<BodyStates>("~states", !kLatched);
-  if (hasContact(world))
+  const World as_given = withoutChanges(world);  // laws of which a body is absent rest
+  if (hasContact(as_given))
     topics.contacts = transport.template open<Contacts>("~contacts", !kLatched);
-  if (hasLines(world))
+  if (hasLines(as_given))
     topics.law_forces = transport.template open<LawForces>("~law_forces", !kLatched);
   if (choice.clock)
     topics.clock = transport.template open<rosgraph_msgs::Clock>("/clock", !kLatched);

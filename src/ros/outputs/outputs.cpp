@@ -34,13 +34,13 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
   for (BodyTopics& own : std::exchange(topics_.bodies, {})) of_body[own.body] = std::move(own);
   for (std::size_t i = 0; i < of_body.size(); ++i) take(i, std::move(of_body[i]));
   listBodies();
-  publishOnce(scene);
+  publishOnce();
   greet();
 }
 
-void Outputs::publishOnce(const Scene& scene) {
+void Outputs::publishOnce() {
   const ros::Time stamp = origin_.stamp(simulation_->time());
-  const tf2_msgs::TFMessage frames = messages_.fixedTransforms(scene, *simulation_, stamp);
+  const tf2_msgs::TFMessage frames = messages_.fixedTransforms(*simulation_, stamp);
   if (!frames.transforms.empty()) topics_.tf_static.publish(frames, stamp);
   markers_.publish(absentBodies(), stamp);
 }

@@ -26,8 +26,9 @@ namespace rigid_body_sim {
 /// touches on ~contacts, what springs and tethers exert on ~law_forces, at the instants k /
 /// publish_rate of simulation time, /clock at k / clock_rate, each IMU at k / rate of its own,
 /// whether a step ends there or not; once, latched: fixed bodies, named points and IMUs on
-/// /tf_static, and ~markers. Without subscribers nothing is computed. Stamps strictly increase
-/// while time runs. While it stands, whoever comes is sent the standing state.
+/// /tf_static, and ~markers, both anew where bodies come in or leave. Without subscribers nothing
+/// is computed. Stamps strictly increase while time runs. While it stands, whoever comes is sent
+/// the standing state.
 class Outputs {
  public:
   /// The simulation, that of the scene, and the origin are watched, not copied.
@@ -90,7 +91,7 @@ class Outputs {
   double shownTime() const;
 
  private:
-  void publishOnce(const Scene& scene);
+  void publishOnce();
   template <class ToMessage>
   auto greeting(ToMessage toMessage, std::optional<std::size_t> body = std::nullopt);
   void greet();

@@ -67,8 +67,10 @@ void Entry::fail(const std::string& message) const {
 }
 
 std::string Entry::located(const std::string& message) const {
+  // what the core says of a body begins with its name, too
+  const bool is_named = message.compare(0, place().size(), place()) == 0;
   return context_->source + ":" + std::to_string(node_->line()) + ": " +
-         (place().empty() ? "" : place() + ": ") + message;
+         (is_named ? "" : place() + ": ") + message;
 }
 
 void Entry::note(const std::string& message) const {

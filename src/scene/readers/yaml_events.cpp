@@ -79,10 +79,25 @@ class Parser {
     // the reader of bytes knows no lines
     const std::size_t line = parser_.error == YAML_READER_ERROR ? lineAt(parser_.problem_offset)
                                                                 : parser_.problem_mark.line;
-    std::string reason = parser_.problem ? parser_.problem : "cannot be read";
-    if (isIndentedByTab(lineOf(text_, line)))
-      reason = "this line is indented by a tab; YAML indents by spaces";
-    throw SceneError(source_, static_cast<int>(line) + 1, "not YAML: " + printable(reason));
+    const std::string reason = parser_.problem ? parser_.problem : "cannot be read";
+    const std::string text = isIndentedByTab(lineOf(text_, line))
+                                 ? "this line is indented by a tab; YAML indents by spaces"
+                                 : printable(reason) + whereItMayBe(line);
+    throw SceneError(source_, static_cast<int>(line) + 1, "not YAML: " + text);
+  }
+
+  /// libyaml stops where the text cannot go on, which may be lines below the mistake: where what it
+  /// was reading begins, or at a line that it read as words alone.
+  std::string whereItMayBe(std::size_t line) const {
+    const std::size_t begin = parser_.context_mark.line;
+    if (parser_.context && begin < line)
+      return std::string(", ") + parser_.context + " that begins in line " +
+             std::to_string(begin + 1);
+    if (parser_.context || parser_.error != YAML_SCANNER_ERROR || line == 0) return "";
+    const std::string_view before = lineOf(text_, line - 1);
+    const bool is_words = before.find_first_not_of(' ') != std::string_view::npos &&
+                          before.find_first_of(":#") == std::string_view::npos;
+    return is_words ? "; or line " + std::to_string(line) + " lacks a ':'" : "";
   }
 
   std::size_t lineAt(std::size_t byte) const {

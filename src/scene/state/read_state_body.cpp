@@ -88,6 +88,8 @@ ScheduledWrench readEntry(const Entry& item, const BodyIndex& index, const Body&
        true},
       {"point", [](const Entry& e, Wrench& w) { w.value.wrench.point = readVector3(e, "m"); },
        true},
+      {"at_center_of_mass",
+       [](const Entry& e, Wrench& w) { w.value.wrench.at_center = readBoolean(e); }},
       {"start", [](const Entry& e, Wrench& w) { w.value.wrench.start = readNumber(e, "s"); }, true},
       {"end", [](const Entry& e, Wrench& w) { w.value.wrench.end = readBound(e, "s"); }, true},
   };

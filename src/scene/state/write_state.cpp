@@ -95,6 +95,7 @@ void Writer::write(const ScheduledWrench& entry) {
     *this << ", point_frame: " << world_.bodies[wrench.point_frame].name;
   *this << ", force: " << wrench.force << ", torque: " << wrench.torque
         << ", point: " << wrench.point;
+  if (wrench.at_center) *this << ", at_center_of_mass: true";
   *this << ", start: " << wrench.start << ", end: " << wrench.end << "}\n";
 }
 

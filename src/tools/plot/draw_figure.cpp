@@ -88,12 +88,20 @@ std::string blockName(std::size_t panel, std::size_t curve) {
   return "$p" + std::to_string(panel) + "c" + std::to_string(curve);
 }
 
-/// A name that leaves room for the plot.
-std::string legendText(const std::string& name) {
-  constexpr std::size_t kMost = 22;
+std::string shortened(const std::string& name, std::size_t most) {
   const std::string line = oneLine(name);
-  return line.size() <= kMost ? line : line.substr(0, kMost - 3) + "...";
+  if (line.size() <= most) return line;
+  std::size_t end = most - 3;
+  const auto isWithinLetter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  while (end > 0 && isWithinLetter(line[end])) --end;  // UTF-8
+  return line.substr(0, end) + "...";
 }
+
+/// A name that leaves room for the plot.
+std::string legendText(const std::string& name) { return shortened(name, 20); }
+
+/// As much as the picture is wide.
+std::string titleText(const std::string& title) { return shortened(title, 112); }
 
 bool haveTitles(const Figure& figure) {
   return std::any_of(figure.panels.begin(), figure.panels.end(),
@@ -115,7 +123,7 @@ void placePanel(const Figure& figure, std::size_t i, double height, std::ostream
   const Range values = valuesOf(panel);
   const bool is_last = i + 1 == figure.panels.size();
   script << "set tmargin at screen " << 1 - top / height << "\nset bmargin at screen "
-         << 1 - bottom / height << "\nset key at screen 0.815, screen " << 1 - top / height
+         << 1 - bottom / height << "\nset key at screen 0.775, screen " << 1 - top / height
          << "\nset title " << gnuplotText(panel.title) << " offset 0,-0.6\nset ylabel "
          << gnuplotText(panel.axis) << "\nset yrange [" << numberText(values.low) << ':'
          << numberText(values.high) << "]\n"
@@ -151,8 +159,8 @@ std::string scriptOf(const Figure& figure, const std::string& time_axis, const s
   script << "set encoding utf8\nset terminal svg size " << kWidth << ',' << height
          << " noenhanced font 'sans,13' background 'white'\nset output " << gnuplotText(svg)
          << "\ntimeaxis = " << gnuplotText(time_axis) << "\nset multiplot title "
-         << gnuplotText(figure.title) << " font ',15'\nset grid lc rgb '#dddddd'\n"
-         << "set lmargin at screen 0.12\nset rmargin at screen 0.8\nset format y '%.8g'\n"
+         << gnuplotText(titleText(figure.title)) << " font ',15'\nset grid lc rgb '#dddddd'\n"
+         << "set lmargin at screen 0.12\nset rmargin at screen 0.76\nset format y '%.8g'\n"
          << "set xrange [" << numberText(times.low) << ':' << numberText(times.high) << "]\n"
          << "set ytics nomirror\nset xtics nomirror\n"
          << "set key left top Left reverse samplen 1.5 noenhanced\n";

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include <geometry_msgs/WrenchStamped.h>
 #include <nav_msgs/Odometry.h>
@@ -105,7 +106,7 @@ class BagRunReader {
     add<3>(message.header.frame_id, message.header.stamp, {f.x, f.y, f.z}, run_.pivot);
   }
 
-  /// The sum of the contacts of each body that has touched anything so far.
+  /// The sum of the contacts of each body that touches anything in the bag: zero before.
   void takeContacts(const Contacts& message) {
     std::map<std::string, Vector3d> forces;
     for (const BodySamples<3>& known : run_.contact.all()) forces[known.body] = Vector3d::Zero();
@@ -115,8 +116,12 @@ class BagRunReader {
       addTo(contact.body, force, forces);
       addTo(contact.other, -force, forces);
     }
-    for (const auto& [body, force] : forces)
+    for (const auto& [body, force] : forces) {
+      Samples<3>& samples = run_.contact.of(body);
+      if (samples.t.empty()) samples = {contact_times_, {contact_times_.size(), {0, 0, 0}}};
       add(body, message.header.stamp, numbersOf(force), run_.contact);
+    }
+    contact_times_.push_back(timeOf(message.header.stamp));
   }
 
   static void addTo(const std::string& body, const Vector3d& force,
@@ -143,6 +148,7 @@ class BagRunReader {
   RunData run_;
   bool has_status_ = false;
   std::optional<ros::Time> begin_;
+  std::vector<double> contact_times_;  // [s] of all messages
 };
 
 }  // namespace

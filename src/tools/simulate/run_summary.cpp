@@ -1,7 +1,7 @@
 #include "tools/simulate/run_summary.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 
 #include "dynamics/world_changes.hpp"
 #include "programs/formatted.hpp"
@@ -43,9 +43,11 @@ std::vector<Causes> causesOf(const World& world, double t_end,
   for (std::size_t i = 0; i < causes.size(); ++i)
     if (!world.bodies[i].actuators.empty()) addOnce("motors", causes[i]);
   for (std::size_t i = 0; i < inputs.size(); ++i)
-    if (inputs[i].mass) addOnce("set_mass_properties and weight", causes[i]);
+    if (inputs[i].mass) addOnce("set_mass_properties", causes[i]);
   for (std::size_t i = 0; i < inputs.size(); ++i)
-    if (inputs[i].presence) addOnce("set_present and weight", causes[i]);
+    if (inputs[i].presence) addOnce("set_present", causes[i]);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].mass || inputs[i].presence) addOnce("weight", causes[i]);
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].moved) addOnce("set_state or reset", causes[i]);
   return causes;
@@ -70,21 +72,39 @@ struct Conserved {
   double energy;              // [J]
   Vector3d momentum;          // [kg m/s]
   Vector3d angular_momentum;  // [kg m²/s] about the centre of mass, or the pivot
+
+  bool isFinite() const {
+    return std::isfinite(kinetic) && std::isfinite(energy) && momentum.allFinite() &&
+           angular_momentum.allFinite();
+  }
 };
 
+/// Whether all that a line would say of the change from a to b is a number.
+bool isTold(const Conserved& a, const Conserved& b, const Vector3d& weight_impulse) {
+  return a.isFinite() && b.isFinite() && std::isfinite(b.energy - a.energy) &&
+         (b.momentum - a.momentum - weight_impulse).allFinite() &&
+         (b.angular_momentum - a.angular_momentum).allFinite();
+}
+
+const char* const kTooGreat = "energy and momenta are too great for numbers\n";
+
 std::string conservedText(const Conserved& a, const Conserved& b, const Vector3d& weight_impulse) {
+  if (!isTold(a, b, weight_impulse))
+    return std::string("  whether conserved is not known: ") + kTooGreat;
   const double energy_scale = std::max(a.kinetic, b.kinetic);
-  const double p_scale = std::max(a.momentum.norm(), b.momentum.norm());
-  const double L_scale = a.angular_momentum.norm();
+  const double p_scale = std::max(stableNorm(a.momentum), stableNorm(b.momentum));
+  const double L_scale = stableNorm(a.angular_momentum);
   return formatted("  conserved: energy %.4g J to ", b.energy) +
          relative(ratio(std::abs(b.energy - a.energy), energy_scale)) + ", momentum to " +
-         relative(ratio((b.momentum - a.momentum - weight_impulse).norm(), p_scale)) +
+         relative(ratio(stableNorm(Vector3d(b.momentum - a.momentum - weight_impulse)), p_scale)) +
          ", angular momentum to " +
-         relative(ratio((b.angular_momentum - a.angular_momentum).norm(), L_scale)) + "\n";
+         relative(ratio(stableNorm(Vector3d(b.angular_momentum - a.angular_momentum)), L_scale)) +
+         "\n";
 }
 
 std::string changedText(const Causes& causes, const Conserved& a, const Conserved& b,
                         const Vector3d& weight_impulse) {
+  if (!isTold(a, b, weight_impulse)) return "  changed by " + joined(causes) + ": " + kTooGreat;
   return "  changed by " + joined(causes) +
          formatted(": energy %+.4g J, momentum ", b.energy - a.energy) +
          text(b.momentum - a.momentum - weight_impulse) + " N s, angular momentum " +
@@ -128,8 +148,11 @@ std::string runSummary(const World& world, const State& first, const State& last
     summary += formatted("and %zu more bodies, which --csv or --bag writes\n", moving - kMost);
   if (!world.laws.empty()) {
     const double energy = mechanicalEnergy(world, last);
-    summary += formatted("all together: energy %.4g J, %+.2g J since the start\n", energy,
-                         energy - mechanicalEnergy(world_at_first, first));
+    const double change = energy - mechanicalEnergy(world_at_first, first);
+    summary +=
+        std::isfinite(change)
+            ? formatted("all together: energy %.4g J, %+.2g J since the start\n", energy, change)
+            : "all together: the energy is too great for a number\n";
   }
   return summary;
 }

@@ -17,6 +17,7 @@
 #include "programs/formatted.hpp"
 #include "programs/run_program.hpp"
 #include "programs/standard_streams.hpp"
+#include "programs/step_watch.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
 #include "scene/message_text.hpp"
@@ -151,10 +152,12 @@ void openOutputs(Job& job) {
 }
 
 /// As the node: inputs are applied before a step, the state is published after it.
-StepHooks hooksOf(Job& job, SlowRunNotice& slow) {
+StepHooks hooksOf(Job& job, SlowRunNotice& slow, StepWatch& watch) {
   StepHooks hooks;
+  hooks.before = [&job, &watch] { watch.begin(job.simulation.time()); };
   if (job.record)
-    hooks.before = [&job] {
+    hooks.before = [&job, &watch] {
+      watch.begin(job.simulation.time());
       const bool moved = job.record->replay().applyDue(job.simulation);
       if (job.record->replay().isDone()) job.messages.print();
       if (moved && job.bag) job.bag->breakTrails();
@@ -204,10 +207,10 @@ State simulate(Job& job, const StepHooks& hooks) {
   return state;
 }
 
-State simulateOrReport(Job& job) {
+State simulateOrReport(Job& job, StepWatch& watch) {
   SlowRunNotice slow(job.end);
   try {
-    return simulate(job, hooksOf(job, slow));
+    return simulate(job, hooksOf(job, slow, watch));
   } catch (const SimulationDiverged&) {
     job.messages.print();
     throw;
@@ -225,7 +228,9 @@ void finish(Job& job) {
   if (!substeps.empty()) job.note(substeps);
   const std::string promise = describePromise(job.simulation);
   if (!promise.empty()) job.note(promise);
-  const std::string magnification = describeMagnification(job.simulation);
+  std::string magnification = describeMagnification(job.simulation);
+  if (magnification.empty() && !job.record)
+    magnification = describeInstability(job.simulation, job.first);
   if (!magnification.empty()) job.note(magnification);
   if (job.record && !job.record->remainder(job.end).empty())
     job.note(job.record->remainder(job.end));
@@ -244,6 +249,10 @@ void drawPlots(Job& job) {
 
 void run(const SimulateOptions& options) {
   requireDistinctFiles(options);
+  StepWatch watch([](const std::string& text) {
+    std::fprintf(stderr, "%s\n", noticeLine("simulate", text).c_str());
+  });
+  watch.begin(StepWatch::kBeforeTheRun);
   Job job(options);
   openInputs(job);
   openOutputs(job);
@@ -253,8 +262,9 @@ void run(const SimulateOptions& options) {
   // contacts magnify errors, so that no choice of steps can promise the tolerance beforehand
   if (job.world.solver.integrator == "auto" && hasContact(job.world)) job.simulation.trackError();
   const auto begin = std::chrono::steady_clock::now();
-  const State last = simulateOrReport(job);
+  const State last = simulateOrReport(job, watch);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  watch.end();
   finish(job);
 
   std::FILE* out = options.csv == "-" || options.imu_csv == "-" ? stderr : stdout;

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
@@ -25,6 +27,49 @@ TEST(DescribeSolution, NamesTheRotorOfAFreeBody) {
   EXPECT_EQ(lines({1, 2, 3}), Lines{"wing_nut: free, asymmetric, exact"});
   EXPECT_EQ(lines({1, 2, 2}), Lines{"wing_nut: free, symmetric, exact"});
   EXPECT_EQ(lines({2, 2, 2}), Lines{"wing_nut: free, spherical, exact"});
+}
+
+// A difference grows by e^(λt), λ = ω √((I₂ − I₁)(I₃ − I₂)/(I₁ I₃)) = 1.73/s, until it has turned.
+TEST(DescribeMagnification, SpeaksOfAFreeRotationNearTheUnstableAxis) {
+  const auto after = [](const Vector3d& w, int seconds) {
+    Bench bench;
+    bench.add(principalBody("wing_nut", 1, {1, 2, 3}), tumbling({0, 0, 0}, w));
+    Simulation sim = bench.simulation("auto", 1);
+    while (sim.steps() < seconds) sim.step();
+    return describeMagnification(sim);
+  };
+  const Vector3d middle(0, 3, 0), stable(0, 0, 3), tumbles(1, 2, 3);
+  EXPECT_EQ(after(middle, 7), "");  // 2e5
+  EXPECT_EQ(after(middle, 12),      // 1e9
+            "the motion of body 'wing_nut' magnifies a difference at its start, rounding, "
+            "too, 10^9 times by now: it is that of its start to the last digit, and no body starts "
+            "so exactly");
+  EXPECT_EQ(after(stable, 1000), "");
+  EXPECT_EQ(after(tumbles, 1000), "");
+}
+
+// A rod that stands on its pivot: a difference grows by e^(t √(m g l/I)) = e^(3.84 t), until it has
+// fallen.
+TEST(DescribeInstability, SpeaksOfAPendulumUpsideDown) {
+  const auto after = [](double angle, int seconds) {
+    Bench bench;
+    bench.world.g_W = {0, 0, -9.81};
+    const MassProperties rod{1, {0, 0, 0.5}, Vector3d(0.0834, 0.0834, 0.0012).asDiagonal()};
+    BodyFrameMotion motion;
+    motion.q_WB = rotationExp(Vector3d(angle, 0, 0));
+    bench.add(makeBody("rod", rod, {}, Vector3d(0, 0, 0)), motion);
+    Simulation sim = bench.simulation("auto", 0.5);
+    const State start = sim.state();
+    while (sim.time() < seconds) sim.step();
+    EXPECT_EQ(sim.evaluations(), 0);
+    return describeInstability(sim, start);
+  };
+  EXPECT_EQ(after(0, 4), "");  // 5e6
+  EXPECT_EQ(after(0, 6).rfind("the motion of body 'rod' magnifies a difference at its start", 0),
+            0U)
+      << after(0, 6);
+  EXPECT_EQ(after(M_PI, 40), "");  // hanging
+  EXPECT_EQ(after(1, 40), "");     // swinging
 }
 
 TEST(DescribeSolution, SaysOnceWhatIsTheSameOfManyNeighbours) {

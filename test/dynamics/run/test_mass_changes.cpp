@@ -1,9 +1,12 @@
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include <rigid_body_sim/dynamics/wrench_in_frames.hpp>
 
 #include "support/breaking_spring.hpp"
 #include "support/changed_mass.hpp"
@@ -77,6 +80,54 @@ TEST(MassChange, KeepsTheMomentumAboutTheOriginAndThePlaceWhereTheCentreMoves) {
   // and both of its own
   const BodyState state = sim.body(0);
   EXPECT_LT((rotate(state.q_WP, state.L_P) - state.L_W).norm(), 1e-14 * state.L_W.norm());
+}
+
+TEST(MassChange, TakesAForceThatNamesNoPointAlongToTheNewCentre) {
+  for (const bool pivoted : {false, true}) {
+    Bench bench;
+    const MassProperties box{2, {0.3, -0.2, 0.1}, Vector3d(1, 1.5, 2).asDiagonal()};
+    std::optional<Vector3d> pivot_B;
+    if (pivoted) pivot_B = Vector3d(0, 0, 1);
+    bench.add(makeBody("box", box, {}, pivot_B), BodyFrameMotion());
+    const Vector3d f_W(0, 3, 1);
+    // of the world, by an input, and to come
+    bench.world.wrenches.push_back(wrenchAtCenterOfMass(bench.world.bodies, 0, f_W, {0, 0, 0}));
+    Simulation sim = bench.simulation("auto", kChangeStep);
+    PointWrench push = wrenchAtCenterOfMass(sim.world().bodies, 0, f_W, Vector3d::Zero());
+    sim.applyWrench("now", push);
+    push.start = 0.5;
+    sim.applyWrench("to come", push);
+    sim.setMassProperties(0, {4, {-0.1, 0.4, 0.2}, Vector3d(2, 3, 4).asDiagonal()});
+    const Body& body = sim.world().bodies[0];
+    for (const PointWrench& acting : sim.activeWrenches(0)) EXPECT_EQ(acting.point, body.com_P);
+    EXPECT_EQ(sim.activeWrenches(0).size(), 2U);
+    if (pivoted) continue;  // there the force turns it, about the pivot
+    sim = stepped(sim, 100);
+    EXPECT_EQ(sim.body(0).L_P, Vector3d::Zero());
+    EXPECT_LT((sim.body(0).p_W - 2.5 * f_W).norm(), 1e-14 * 2.5 * f_W.norm());
+  }
+}
+
+TEST(MassChange, LeavesAForceWhereItsPointIsNamedThoughItIsTheCentre) {
+  Bench bench;
+  bench.add(test::principalBody("box", 1, {1, 1.5, 2}), BodyFrameMotion());
+  Simulation sim = bench.simulation("auto", kChangeStep);
+  sim.applyWrench("", wrenchInWorldAxes(sim.world().bodies, 0, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}));
+  sim.setMassProperties(0, {1, {0.5, 0, 0}, Vector3d(1, 1.5, 2).asDiagonal()});
+  EXPECT_EQ(sim.activeWrenches(0)[0].point, Vector3d(-0.5, 0, 0));
+}
+
+TEST(MassChange, RefusesAForceAtTheCentreThatNamesAnotherPoint) {
+  Simulation sim = twoFlyers().simulation("auto", kChangeStep);
+  PointWrench push = wrenchAtCenterOfMass(sim.world().bodies, 0, {1, 0, 0}, {0, 0, 0});
+  push.point.x() = 1e-9;
+  try {
+    sim.applyWrench("", push);
+    FAIL() << "was taken";
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_STREQ(refused.what(),
+                 "wrench on body 'ship': at its centre of mass, point must be that of the body");
+  }
 }
 
 TEST(MassChange, IsRefusedWhereVelocitiesWouldNotBeFinite) {

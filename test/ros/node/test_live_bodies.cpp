@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/InteractiveMarkerInit.h>
 
 #include <rigid_body_sim/BodyStates.h>
@@ -87,6 +88,18 @@ class LiveBodies : public LiveNode {
     std::set<std::string> names;
     for (const auto& marker : handles.markers) names.insert(marker.name);
     return names;
+  }
+
+  /// What who subscribes to /tf_static now is sent by the node.
+  std::set<std::string> staticFrames() {
+    std::set<std::string> frames;
+    const ros::Subscriber late = nh.subscribe<tf2_msgs::TFMessage>(
+        "/tf_static", 10,
+        boost::function<void(const tf2_msgs::TFMessage&)>([&](const tf2_msgs::TFMessage& message) {
+          for (const auto& transform : message.transforms) frames.insert(transform.child_frame_id);
+        }));
+    EXPECT_TRUE(NodeDriver::waitFor([&] { return frames.count("post") == 1; }));
+    return frames;
   }
 
   TemporaryDirectory directory;
@@ -209,8 +222,10 @@ TEST_F(LiveBodies, AreOnNoTopicWhileTheyAreAbsent) {
   EXPECT_TRUE(NodeDriver::waitFor([&] { return driver.transformsAtOnce() == 1; }));
   EXPECT_TRUE(NodeDriver::waitFor([&] { return namesOfHandles().count("box") == 0; }));
   EXPECT_EQ(driver.stamps().size(), received);  // nothing of the box
+  EXPECT_EQ(staticFrames(), (std::set<std::string>{"post", "post/top"}));
 
   EXPECT_EQ(setPresent(boxAt(7)), "");
+  EXPECT_EQ(staticFrames(), (std::set<std::string>{"box/tip", "post", "post/top"}));
   EXPECT_EQ(boxNow().pose.position, boxAt(7).pose.position);
   EXPECT_NEAR(boxNow().pose.orientation.w, 1, 1e-15);  // by way of the principal axes
   driver.step(5);

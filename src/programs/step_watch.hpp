@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace rigid_body_sim {
+
+/// Says so, once, where a single step, or what comes before the first, is computed for longer than
+/// a user waits without a word. Results do not depend on it.
+class StepWatch {
+ public:
+  /// say(text): called by a thread of its own. patience [s] of wall time.
+  explicit StepWatch(std::function<void(const std::string&)> say, double patience = 10);
+  ~StepWatch();
+  StepWatch(const StepWatch&) = delete;
+  StepWatch& operator=(const StepWatch&) = delete;
+
+  static constexpr double kBeforeTheRun = -1;
+
+  /// A step from t [s] begins, or with kBeforeTheRun what comes before the first: no clock is read.
+  void begin(double t) {
+    time_.store(t, std::memory_order_relaxed);
+    begun_.fetch_add(1, std::memory_order_relaxed);
+    is_busy_.store(true, std::memory_order_relaxed);
+  }
+
+  /// Nothing is computed from now on.
+  void end() { is_busy_.store(false, std::memory_order_relaxed); }
+
+ private:
+  void watch();
+
+  std::function<void(const std::string&)> say_;
+  double patience_;
+  std::atomic<double> time_{0};
+  std::atomic<std::uint64_t> begun_{0};
+  std::atomic<bool> is_busy_{false};
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool ends_ = false;
+  std::thread thread_;  // the last: it sees the others
+};
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,138 @@
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <rigid_body_sim/dynamics/medium_drag.hpp>
+#include <rigid_body_sim/dynamics/spring.hpp>
+#include <rigid_body_sim/dynamics/tether.hpp>
+
+#include "support/worlds.hpp"
+
+/// Media so stiff that nothing could follow them in steps: in closed form where there is one, else
+/// refused in a line that says what is too fast and what to do.
+namespace rigid_body_sim {
+namespace {
+
+using test::Bench;
+using Coefficients = MediumDrag::Coefficients;
+
+const Vector3d kStiffGravity{0, 0, -9.81}, kStiffWind{3, -1, 0.5}, kStiffStart{1, 2, 8};
+
+Bench stiffBench(const Coefficients& drag, const Vector3d& w = {5, 1, -3}) {
+  Bench bench;
+  bench.world.g_W = kStiffGravity;
+  bench.add(test::principalBody("ball", 2, {0.1, 0.15, 0.2}), test::tumbling(kStiffStart, w));
+  bench.world.laws.push_back(std::make_shared<MediumDrag>(0, drag, kStiffWind));
+  return bench;
+}
+
+/// Why a step cannot be taken; empty where it can.
+std::string divergenceOf(const Bench& bench, double time_step) {
+  Simulation sim = bench.simulation("auto", time_step);
+  try {
+    sim.step();
+  } catch (const SimulationDiverged& diverged) {
+    return diverged.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+// v = v_t + (v₀ − v_t) e^(−kt),  x = v_t t + (v₀ − v_t) (1 − e^(−kt))/k,  in 64 bits where doubles
+// would cancel
+TEST(LinearMediumDrag, IsExactHoweverStiffOrWeakItIs) {
+  for (const double linear : {0.0, 1e-12, 1e-3, 1.0, 1e4, 1e10, 1e40}) {
+    Coefficients drag;
+    drag.linear.alike = linear;
+    Simulation sim = stiffBench(drag).simulation("auto", 0.5);
+    while (sim.steps() < 6) sim.step();
+    EXPECT_EQ(sim.evaluations(), 0);
+    for (int i = 0; i < 3; ++i) {
+      using Real = long double;
+      const Real k = Real(linear) / 2, t = 3, g = kStiffGravity[i],
+                 u = kStiffStart[i] - kStiffWind[i];
+      // below, the terms of k t by which the parabola differs are cut where they are rounding
+      const bool weak = linear < 1e-9L;
+      const Real decay = weak ? t - k * t * t / 2 : -std::expm1(-k * t) / k;
+      const Real v = kStiffWind[i] + u * (weak ? 1 - k * t : std::exp(-k * t)) + g * decay;
+      const Real x = kStiffWind[i] * t + u * decay +
+                     g * (weak ? t * t / 2 - k * t * t * t / 6 : (t - decay) / k);
+      // eight roundings of numbers up to the size of wind and path
+      EXPECT_NEAR(sim.body(0).p_W[i] / 2, double(v), 2e-15 * (9 + std::abs(double(v)))) << linear;
+      EXPECT_NEAR(sim.body(0).x_W[i], double(x), 4e-15 * (27 + std::abs(double(x)))) << linear;
+    }
+  }
+}
+
+TEST(LinearMediumDrag, AccountsForItsEnergyHoweverStiffItIs) {
+  for (const double linear : {1e-3, 1.0, 1e4, 1e10}) {
+    Coefficients drag;
+    drag.linear.alike = linear;
+    drag.angular.alike = 0.1;
+    Simulation sim = stiffBench(drag).simulation("auto", 0.5);
+    sim.trackBalance();
+    while (sim.steps() < 6) sim.step();
+    // the work of gravity, and what the wind does through drag; and the rounding of a steady force,
+    // of which the meter sees the difference of p/m and the wind, times the drag
+    const double wind = kStiffWind.norm(), scale = 100 + std::abs(sim.exchanged().energy);
+    const double force = 4 * std::numeric_limits<double>::epsilon() * linear * wind;
+    EXPECT_LT(std::abs(sim.balance().energy), 1e-13 * scale + force * wind * sim.time()) << linear;
+    EXPECT_LT(sim.balance().momentum.norm(), 1e-13 * scale + force * sim.time()) << linear;
+  }
+}
+
+// With a torque the body turns on, slowly, at τ/angular: that has no closed form.
+TEST(MediumDrag, TooStiffToBeFollowedIsNamedWithWhatToDo) {
+  Coefficients drag;
+  drag.linear.axes = Vector3d::Constant(1e10);
+  const std::string fault = divergenceOf(stiffBench(drag), 0.01);
+  EXPECT_EQ(
+      fault.rfind("t = 0 s: body 'ball': the motion is too fast to be followed: drag slows it "
+                  "down at 5e+09/s; a shorter time_step or weaker drag is needed",
+                  0),
+      0U)
+      << fault;
+}
+
+TEST(SteppedLaws, TooStiffToBeFollowedAreNamedWithWhatToDo) {
+  const Spring::End body{0, {0.1, 0, 0}}, world{kWorld, {0, 0, 3}};
+  Coefficients linear, quadratic;
+  linear.linear.alike = 1e10;
+  quadratic.quadratic.alike = 1e20;
+  const auto dragBy = [](const Coefficients& drag) {
+    return std::make_shared<MediumDrag>(0, drag, Vector3d::Zero());
+  };
+  const auto springOf = [&](double stiffness) {
+    return std::make_shared<Spring>(body, world, Spring::Constants{stiffness, 0, 0});
+  };
+  const auto taut = std::make_shared<Tether>(body, world, Tether::Constants{1e300, 0, 1e-300});
+  struct Case {
+    const char* too_fast;
+    std::vector<std::shared_ptr<const ForceLaw>> laws;
+  };
+  for (const Case& each : {Case{"spring", {springOf(1e300)}}, Case{"tether", {taut}},
+                           Case{"drag", {springOf(1), dragBy(linear)}},
+                           Case{"drag", {springOf(1), dragBy(quadratic)}}}) {
+    Bench bench;
+    bench.world.g_W = kStiffGravity;
+    bench.add(test::principalBody("ball", 2, {0.1, 0.15, 0.2}),
+              test::tumbling(kStiffStart, {5, 1, -3}));
+    bench.world.laws = each.laws;
+    const std::string fault = divergenceOf(bench, 0.01), name = each.too_fast;
+    EXPECT_EQ(fault.rfind("t = 0 s: body 'ball': a step spans ", 0), 0U) << fault;
+    EXPECT_NE(
+        fault.find(" rad of what " + name +
+                   " makes swing or slow down, more than dop853 follows in 100000 substeps; a "
+                   "shorter time_step or weaker " +
+                   name + " is needed"),
+        std::string::npos)
+        << fault;
+  }
+}
+
+}  // namespace rigid_body_sim
