@@ -13,8 +13,8 @@ constexpr double kMaxShare = 0.98;
 /// Numbers up to this, and sums of kCertainSteps of their products, are finite.
 constexpr double kModest = 1e60;
 
-template <class V>
-void put(int column, const V& values, PackBlock& block, std::size_t lane) {
+template <class V, class Block>
+void put(int column, const V& values, Block& block, std::size_t lane) {
   for (int i = 0; i < values.size(); ++i) block.columns[column + i][lane] = values(i);
 }
 
@@ -26,10 +26,17 @@ double squaredLength(int column, const PackBlock& block, std::size_t lane) {
 
 /// Whether |L| leaves the turn of a step within what is followed.
 bool turnsSlowly(const PackBlock& block, std::size_t lane) {
-  const double turn = block.columns[kTurnColumn][lane];
-  const double L = std::max(squaredLength(kSpinColumn, block, lane),
-                            squaredLength(kWorldSpinColumn, block, lane));
-  return turn * turn * L <= kMaxShare * kMaxShare;
+  const double L = std::sqrt(std::max(squaredLength(kSpinColumn, block, lane),
+                                      squaredLength(kWorldSpinColumn, block, lane)));
+  return block.columns[kTurnColumn][lane] * (L + block.columns[kGrowthColumn][lane]) <= kMaxShare;
+}
+
+/// [N m] The greatest torque that is held.
+double torqueBound(const HeldWrench& held) {
+  double bound = held.tau_W.norm() + held.tau_P.norm();
+  for (const HeldWrench::BodyPointForce& at : held.body_point_forces)
+    bound += at.arm_P.norm() * at.force_W.norm();
+  return bound;
 }
 
 bool isModest(const PackBlock& block, std::size_t lane) {
@@ -43,6 +50,12 @@ bool isModest(const PackBlock& block, std::size_t lane) {
 bool staysModest(const PackBlock& block, std::size_t lane) {
   double sum = 0;
   for (int c = kForceColumn; c < kPackColumns; ++c) sum += std::abs(block.columns[c][lane]);
+  return sum < kModest;
+}
+
+bool staysModest(const PushBlock& block, std::size_t lane) {
+  double sum = 0;
+  for (const auto& column : block.columns) sum += std::abs(column[lane]);
   return sum < kModest;
 }
 
@@ -65,7 +78,10 @@ void putBody(const SteadyMotion& motion, PackKind kind, double h, const BodyStat
   put(kSpinColumn, state.L_P, block, lane);
   put(kWorldSpinColumn, state.L_W, block, lane);
   block.columns[kMagnificationColumn][lane] = motion.magnification;
-  put(kForceColumn, motion.f_W, block, lane);
+  const HeldWrench nothing, &held = motion.held ? *motion.held : nothing;
+  const bool pushed = !held.torqueFree();
+  put(kForceColumn, pushed ? held.f_W : Vector3d(held.at(state).f_W + motion.weight_W), block,
+      lane);
   block.columns[kMassColumn][lane] = body.mass;
   const bool is_split =
       kind == PackKind::kStrang02 || kind == PackKind::kStrang20 || kind == PackKind::kStrang12;
@@ -75,10 +91,22 @@ void putBody(const SteadyMotion& motion, PackKind kind, double h, const BodyStat
   put(kDifferencesColumn,
       Vector3d(body.I[1] - body.I[2], body.I[2] - body.I[0], body.I[0] - body.I[1]), block, lane);
   block.columns[kTurnColumn][lane] = h * body.inv_I.maxCoeff() / motion.max_turn;
+  // a step looks ahead by its length
+  constexpr double kSteps = Packs::kCertainSteps + 1;
+  block.columns[kGrowthColumn][lane] = kSteps * h * torqueBound(held);
 }
 
-void copyLane(const PackBlock& from, std::size_t from_lane, PackBlock& to, std::size_t to_lane) {
-  for (int c = 0; c < kPackColumns; ++c) to.columns[c][to_lane] = from.columns[c][from_lane];
+bool putPush(const SteadyMotion& motion, PushBlock& block, std::size_t lane) {
+  if (!motion.held || motion.held->torqueFree()) return false;
+  const HeldWrench& held = *motion.held;
+  put(kWeightColumn, motion.weight_W, block, lane);
+  put(kBodyForceColumn, held.f_P, block, lane);
+  put(kCoupleColumn, held.tau_W, block, lane);
+  put(kBodyCoupleColumn, held.tau_P, block, lane);
+  const auto& at = held.body_point_forces;
+  put(kArmColumn, at.empty() ? Vector3d(Vector3d::Zero()) : at.front().arm_P, block, lane);
+  put(kArmForceColumn, at.empty() ? Vector3d(Vector3d::Zero()) : at.front().force_W, block, lane);
+  return true;
 }
 
 bool isCertain(const PackBlock& block, std::size_t lane) {

@@ -12,6 +12,10 @@ PackBlock emptyBlock();
 void putBody(const SteadyMotion& motion, PackKind kind, double h, const BodyState& state,
              PackBlock& block, std::size_t lane);
 
+/// Writes all columns of a lane, where that is anything else than a force at the centre of mass;
+/// returns whether it is.
+bool putPush(const SteadyMotion& motion, PushBlock& block, std::size_t lane);
+
 inline void copyBody(const PackBlock& block, std::size_t lane, BodyState& state) {
   const auto copy = [&](int column, auto& to) {
     for (int i = 0; i < to.size(); ++i) to(i) = block.columns[column + i][lane];
@@ -30,7 +34,11 @@ inline BodyState bodyIn(const PackBlock& block, std::size_t lane) {
   return state;
 }
 
-void copyLane(const PackBlock& from, std::size_t from_lane, PackBlock& to, std::size_t to_lane);
+template <class Block>
+void copyLane(const Block& from, std::size_t from_lane, Block& to, std::size_t to_lane) {
+  constexpr std::size_t kColumns = sizeof from.columns / sizeof from.columns[0];
+  for (std::size_t c = 0; c < kColumns; ++c) to.columns[c][to_lane] = from.columns[c][from_lane];
+}
 
 /// What is certain for Packs::kCertainSteps steps: that a body turns in none of them further than
 /// its integrator follows without dividing it, and that its numbers remain finite.
@@ -38,6 +46,7 @@ bool isCertain(const PackBlock& block, std::size_t lane);
 
 /// Whether the numbers that stay the same allow that, for ever.
 bool staysModest(const PackBlock& block, std::size_t lane);
+bool staysModest(const PushBlock& block, std::size_t lane);
 
 /// isCertain of all bodies of a block.
 bool isCertain(const PackBlock& block);

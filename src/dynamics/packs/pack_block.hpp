@@ -20,7 +20,19 @@ enum PackColumn : int {
   kRotationColumn = 24,       ///< [1/(kg m²)] 1/I; of strang, k_a, k_b, 1/I_r of its split; three
   kDifferencesColumn = 27,    ///< [kg m²] of rk4: I₂ − I₃, I₃ − I₁, I₁ − I₂
   kTurnColumn = 30,           ///< times |L_P|: |ω| h is at most that share of what a step follows
-  kPackColumns = 31
+  kGrowthColumn = 31,         ///< [kg m²/s] by which |L| may grow while steps are certain
+  kPackColumns = 32
+};
+
+/// What torques and forces in body axes are made of, of bodies on which such act; see HeldWrench.
+enum PushColumn : int {
+  kWeightColumn = 0,      ///< [N] of gravity, three columns; kForceColumn is then without
+  kBodyForceColumn = 3,   ///< [N] f_P, three
+  kCoupleColumn = 6,      ///< [N m] tau_W, three
+  kBodyCoupleColumn = 9,  ///< [N m] tau_P, three
+  kArmColumn = 12,        ///< [m] arm_P of a force at a point of the body, three
+  kArmForceColumn = 15,   ///< [N] that force, three
+  kPushColumns = 18
 };
 
 /// Eight bodies. A column is one line of the processor's cache, so that what an integrator does not
@@ -33,22 +45,32 @@ struct alignas(64) PackBlock {
   const double* column(int c) const { return columns[c]; }
 };
 
-/// Steps of bodies without torque, as the integrators of the same names take them. Of strang one
+/// The same eight bodies.
+struct alignas(64) PushBlock {
+  double columns[kPushColumns][PackBlock::kLanes];
+};
+
+/// Steps of bodies by themselves, as the integrators of the same names take them. Of strang one
 /// for each pair of axes a, b that a RotationSplit of ascending moments has.
 enum class PackKind { kSemiImplicitEuler, kStrang02, kStrang20, kStrang12, kMagnus4, kRk4 };
 constexpr std::size_t kPackKinds = 6;
 
 /// Takes `count` steps of the lengths h [s] with the first `bodies` bodies of some blocks. Those
-/// that share a pack with the last may be stepped, too.
-using PackStep = void (*)(const double* h, int count, PackBlock* blocks, std::size_t bodies);
+/// that share a pack with the last may be stepped, too. pushes: block by block; null of bodies
+/// without torque.
+using PackStep = void (*)(const double* h, int count, PackBlock* blocks, const PushBlock* pushes,
+                          std::size_t bodies);
 
 /// The steps of one width. All widths give the same bits.
 struct PackKernels {
-  std::size_t lanes;         ///< bodies at once
-  const char* instructions;  ///< such as "AVX2"; empty: those that every processor has
-  PackStep steps[kPackKinds];
+  std::size_t lanes;                  ///< bodies at once
+  const char* instructions;           ///< such as "AVX2"; empty: those that every processor has
+  PackStep steps[kPackKinds];         ///< of bodies without torque
+  PackStep pushed_steps[kPackKinds];  ///< of others
 
-  PackStep step(PackKind kind) const { return steps[static_cast<std::size_t>(kind)]; }
+  PackStep step(PackKind kind, bool pushed = false) const {
+    return (pushed ? pushed_steps : steps)[static_cast<std::size_t>(kind)];
+  }
 };
 
 /// Those that this processor can run, the narrowest first; that is one body at a time.

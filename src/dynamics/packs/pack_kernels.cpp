@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "dynamics/packs/pack_steps.hpp"
+#include "dynamics/packs/pack_target.hpp"
 
 // One source for every width: pack_steps.hpp is compiled for each instruction set by the attribute
 // `target`, and chosen at run time. No multiplication and addition are contracted, so that all
@@ -11,9 +12,21 @@ namespace {
 /// Blocks that stay in the nearest cache while several steps are taken with them.
 constexpr std::size_t kBlocksAtOnce = 8;
 
-template <class Step, class T>
+template <class T>
+RIGID_BODY_SIM_INLINE NoPush pushOf(const NoPush* /*none*/, const PushBlock* /*none*/,
+                                    std::size_t /*lane*/) {
+  return {};
+}
+
+template <class T>
+RIGID_BODY_SIM_INLINE PushLanes<T> pushOf(const PushLanes<T>* /*none*/, const PushBlock* pushes,
+                                          std::size_t lane) {
+  return {pushes[lane / PackBlock::kLanes], lane % PackBlock::kLanes};
+}
+
+template <class Step, class T, class Push>
 RIGID_BODY_SIM_INLINE void stepAll(const double* h, int count, PackBlock* blocks,
-                                   std::size_t bodies) {
+                                   const PushBlock* pushes, std::size_t bodies) {
   constexpr std::size_t kLanes = sizeof(T) / sizeof(double);
   constexpr std::size_t kAtOnce = kBlocksAtOnce * PackBlock::kLanes;
   for (std::size_t first = 0; first < bodies; first += kAtOnce) {
@@ -21,43 +34,42 @@ RIGID_BODY_SIM_INLINE void stepAll(const double* h, int count, PackBlock* blocks
     for (int k = 0; k < count; ++k)
       for (std::size_t i = first; i < end; i += kLanes) {
         PackLanes<T> lanes(blocks[i / PackBlock::kLanes], i % PackBlock::kLanes);
-        Step::step(h[k], lanes);
+        Step::step(h[k], lanes, pushOf<T>(static_cast<const Push*>(nullptr), pushes, i));
       }
   }
 }
 
-template <class Step, class T>
-void narrow(const double* h, int count, PackBlock* blocks, std::size_t bodies) {
-  stepAll<Step, T>(h, count, blocks, bodies);
+template <class Step, class T, class Push>
+void narrow(const double* h, int count, PackBlock* blocks, const PushBlock* pushes,
+            std::size_t bodies) {
+  stepAll<Step, T, Push>(h, count, blocks, pushes, bodies);
 }
 
 #if defined(__x86_64__)
-// clang 14 spills wide registers to a stack that it has not aligned for them, unless it is told to
-#if defined(__clang__)
-#define RIGID_BODY_SIM_TARGET(name) __attribute__((target(name), force_align_arg_pointer))
-#else
-#define RIGID_BODY_SIM_TARGET(name) __attribute__((target(name)))
-#endif
-
-template <class Step, class T>
+template <class Step, class T, class Push>
 RIGID_BODY_SIM_TARGET("avx2")
-void wide(const double* h, int count, PackBlock* blocks, std::size_t bodies) {
-  stepAll<Step, T>(h, count, blocks, bodies);
+void wide(const double* h, int count, PackBlock* blocks, const PushBlock* pushes,
+          std::size_t bodies) {
+  stepAll<Step, T, Push>(h, count, blocks, pushes, bodies);
 }
 
-template <class Step, class T>
+template <class Step, class T, class Push>
 RIGID_BODY_SIM_TARGET("avx512f")
-void widest(const double* h, int count, PackBlock* blocks, std::size_t bodies) {
-  stepAll<Step, T>(h, count, blocks, bodies);
+void widest(const double* h, int count, PackBlock* blocks, const PushBlock* pushes,
+            std::size_t bodies) {
+  stepAll<Step, T, Push>(h, count, blocks, pushes, bodies);
 }
 #endif
 
 // In the order of PackKind.
-#define RIGID_BODY_SIM_PACK_STEPS(step, T)                                                \
-  {                                                                                       \
-    step<SemiImplicitEulerPack, T>, step<StrangPack<0, 2>, T>, step<StrangPack<2, 0>, T>, \
-        step<StrangPack<1, 2>, T>, step<Magnus4Pack, T>, step<Rk4Pack, T>                 \
+#define RIGID_BODY_SIM_STEPS_WITH(step, T, Push)                           \
+  {                                                                        \
+    step<SemiImplicitEulerPack, T, Push>, step<StrangPack<0, 2>, T, Push>, \
+        step<StrangPack<2, 0>, T, Push>, step<StrangPack<1, 2>, T, Push>,  \
+        step<Magnus4Pack, T, Push>, step<Rk4Pack, T, Push>                 \
   }
+#define RIGID_BODY_SIM_PACK_STEPS(step, T) \
+  RIGID_BODY_SIM_STEPS_WITH(step, T, NoPush), RIGID_BODY_SIM_STEPS_WITH(step, T, PushLanes<T>)
 
 std::vector<PackKernels> kernelsOfThisProcessor() {
   std::vector<PackKernels> kernels{{1, "", RIGID_BODY_SIM_PACK_STEPS(narrow, double)},

@@ -1,71 +1,29 @@
 #pragma once
 
-#include "dynamics/packs/pack.hpp"
-#include "dynamics/packs/pack_block.hpp"
-#include "dynamics/rotation/free_motion.hpp"
+#include "dynamics/packs/pack_lanes.hpp"
 
-/// Steps of the integrators for bodies without torque, T: double or a pack. The drifts are those of
+/// Steps of the integrators for bodies by themselves, T: double or a pack. The drifts are those of
 /// free_motion.hpp, which the methods themselves take. Only the order of kicks and drifts, and the
 /// stages of rk4, stand here and there: the methods have many bodies, laws and wrenches, and this
-/// nothing but numbers.
+/// nothing but numbers. Push: NoPush, or the PushLanes that act.
 namespace rigid_body_sim {
-
-/// The bodies of a block from one lane on.
-template <class T>
-class PackLanes {
- public:
-  RIGID_BODY_SIM_INLINE PackLanes(PackBlock& block, std::size_t lane)
-      : block_(block), lane_(lane) {}
-
-  RIGID_BODY_SIM_INLINE T at(int column) const {
-    T value;
-    load(block_.columns[column] + lane_, value);
-    return value;
-  }
-  RIGID_BODY_SIM_INLINE Triple<T> tripleAt(int column) const {
-    return {at(column), at(column + 1), at(column + 2)};
-  }
-  RIGID_BODY_SIM_INLINE Quad<T> quadAt(int column) const {
-    return {at(column), at(column + 1), at(column + 2), at(column + 3)};
-  }
-
-  RIGID_BODY_SIM_INLINE void put(int column, const T& value) {
-    store(value, block_.columns[column] + lane_);
-  }
-  RIGID_BODY_SIM_INLINE void put(int column, const Triple<T>& v) {
-    put(column, v.x);
-    put(column + 1, v.y);
-    put(column + 2, v.z);
-  }
-  RIGID_BODY_SIM_INLINE void put(int column, const Quad<T>& q) {
-    put(column, Triple<T>{q.x, q.y, q.z});
-    put(column + 3, q.w);
-  }
-
- private:
-  PackBlock& block_;
-  std::size_t lane_;
-};
-
-template <class T>
-RIGID_BODY_SIM_INLINE Triple<T> plusZero(const Triple<T>& v) {
-  return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
-}
-
-/// x += d, compensated.
-template <class T>
-RIGID_BODY_SIM_INLINE void moveLanes(const Triple<T>& d, PackLanes<T>& lanes) {
-  Triple<T> x = lanes.tripleAt(kPositionColumn), low = lanes.tripleAt(kPositionLowColumn);
-  moveBy(d.x, x.x, low.x);
-  moveBy(d.y, x.y, low.y);
-  moveBy(d.z, x.z, low.z);
-  lanes.put(kPositionColumn, x);
-  lanes.put(kPositionLowColumn, low);
-}
 
 struct SemiImplicitEulerPack {
   template <class T>
-  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes) {
+  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes, const PushLanes<T>& push) {
+    const Triple<T> inv_I = lanes.tripleAt(kRotationColumn);
+    Quad<T> q = lanes.quadAt(kAttitudeColumn);
+    Triple<T> L_P = lanes.tripleAt(kSpinColumn);
+    magnify(h, inv_I, L_P, lanes);
+    L_P = kickLanes(h, push.at(lanes.tripleAt(kForceColumn), q), q, L_P, lanes);
+    driftLanes(h, lanes);
+    driftAlongOmega(inv_I, h, lanes.tripleAt(kWorldSpinColumn), q, L_P);
+    lanes.put(kAttitudeColumn, q);
+    lanes.put(kSpinColumn, L_P);
+  }
+
+  template <class T>
+  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes, NoPush /*none*/) {
     const Triple<T> p = lanes.tripleAt(kMomentumColumn) + h * lanes.tripleAt(kForceColumn);
     lanes.put(kMomentumColumn, p);
     moveLanes(T(h / lanes.at(kMassColumn)) * p, lanes);
@@ -114,55 +72,75 @@ RIGID_BODY_SIM_INLINE void turnPackAboutAxis(const T& hk, Quad<T>& q, Triple<T>&
                 component<i>(q), component<i + 1>(q), component<i + 2>(q), q.w);
 }
 
-template <int a, int b>
-struct StrangPack {
+/// kick h/2, drift h, kick h/2
+template <class Drift>
+struct KickDriftKickPack {
   template <class T>
-  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes) {
+  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes, NoPush /*none*/) {
     kickMoveKick(h, lanes);
     Triple<T> L_P = plusZero(lanes.tripleAt(kSpinColumn));
     Quad<T> q = lanes.quadAt(kAttitudeColumn);
+    Drift::turn(h, lanes, q, L_P);
+    lanes.put(kAttitudeColumn, q);
+    lanes.put(kSpinColumn, plusZero(L_P));
+  }
+
+  template <class T>
+  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes, const PushLanes<T>& push) {
+    const Triple<T> f_W = lanes.tripleAt(kForceColumn);
+    Quad<T> q = lanes.quadAt(kAttitudeColumn);
+    Triple<T> L_P = kickLanes(0.5 * h, push.at(f_W, q), q, lanes.tripleAt(kSpinColumn), lanes);
+    driftLanes(h, lanes);
+    Drift::turn(h, lanes, q, L_P);
+    lanes.put(kAttitudeColumn, q);
+    lanes.put(kSpinColumn, kickLanes(0.5 * h, push.at(f_W, q), q, L_P, lanes));
+  }
+};
+
+template <int a, int b>
+struct StrangDrift {
+  template <class T>
+  static RIGID_BODY_SIM_INLINE void turn(double h, const PackLanes<T>& lanes, Quad<T>& q,
+                                         Triple<T>& L_P) {
     const T half_a = 0.5 * h * lanes.at(kRotationColumn);
     turnPackAboutAxis<a>(half_a, q, L_P);
     turnPackAboutAxis<b>(T(h * lanes.at(kRotationColumn + 1)), q, L_P);
     turnPackAboutAxis<a>(half_a, q, L_P);
     const T in_world = h * lanes.at(kRotationColumn + 2);
     turnInWorld(in_world * lanes.tripleAt(kWorldSpinColumn), q);
-    lanes.put(kAttitudeColumn, q);
-    lanes.put(kSpinColumn, plusZero(L_P));
   }
 };
 
-struct Magnus4Pack {
+struct Magnus4Drift {
   template <class T>
-  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes) {
-    kickMoveKick(h, lanes);
-    Triple<T> L_P = plusZero(lanes.tripleAt(kSpinColumn));
-    Quad<T> q = lanes.quadAt(kAttitudeColumn);
+  static RIGID_BODY_SIM_INLINE void turn(double h, const PackLanes<T>& lanes, Quad<T>& q,
+                                         Triple<T>& L_P) {
     driftMagnus(lanes.tripleAt(kRotationColumn), h, q, L_P);
-    lanes.put(kAttitudeColumn, q);
-    lanes.put(kSpinColumn, plusZero(L_P));
   }
 };
+
+template <int a, int b>
+using StrangPack = KickDriftKickPack<StrangDrift<a, b>>;
+using Magnus4Pack = KickDriftKickPack<Magnus4Drift>;
 
 /// Stages and weights as in rk4.cpp.
 struct Rk4Pack {
-  template <class T>
-  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes) {
+  template <class T, class Push>
+  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes, const Push& push) {
     constexpr double kNode[4]{0, 0.5, 0.5, 1}, kWeight[4]{1. / 6, 1. / 3, 1. / 3, 1. / 6};
-    const Triple<T> f = lanes.tripleAt(kForceColumn), p = lanes.tripleAt(kMomentumColumn);
-    const Triple<T> L_P = lanes.tripleAt(kSpinColumn);
+    const Triple<T> p = lanes.tripleAt(kMomentumColumn), L_P = lanes.tripleAt(kSpinColumn);
     const Quad<T> q = lanes.quadAt(kAttitudeColumn);
-    Rate<T> rate = rateAt(lanes, p, q, L_P), sum{};
+    Rate<T> rate = rateAt(lanes, push, p, q, L_P), sum{};
     sum.add(kWeight[0], rate);
-    Triple<T> force = plusZero(kWeight[0] * f);
+    sum.p = plusZero(kWeight[0] * rate.p);
     for (int stage = 1; stage < 4; ++stage) {
       const double step = kNode[stage] * h;
-      rate = rateAt(lanes, p + step * f, sumOf(q, step, rate.q), L_P + step * rate.L_P);
+      rate = rateAt(lanes, push, p + step * rate.p, sumOf(q, step, rate.q), L_P + step * rate.L_P);
       sum.add(kWeight[stage], rate);
-      force = force + kWeight[stage] * f;
+      sum.p = sum.p + kWeight[stage] * rate.p;
     }
     moveLanes(h * sum.x, lanes);
-    lanes.put(kMomentumColumn, p + h * force);
+    lanes.put(kMomentumColumn, p + h * sum.p);
     const Triple<T> L_end = L_P + h * sum.L_P;
     Quad<T> q_end = sumOf(q, h, sum.q);
     const T norm = squareRoot(squaredNorm(q_end));
@@ -175,10 +153,11 @@ struct Rk4Pack {
  private:
   template <class T>
   struct Rate {
-    Triple<T> x;
+    Triple<T> x, p;
     Quad<T> q;
     Triple<T> L_P;
 
+    /// But for p.
     RIGID_BODY_SIM_INLINE void add(double weight, const Rate& rate) {
       x = x + weight * rate.x;
       q = sumOf(q, weight, rate.q);
@@ -191,15 +170,24 @@ struct Rk4Pack {
     return {q.x + weight * r.x, q.y + weight * r.y, q.z + weight * r.z, q.w + weight * r.w};
   }
 
-  template <class T>
-  static RIGID_BODY_SIM_INLINE Rate<T> rateAt(const PackLanes<T>& lanes, const Triple<T>& p,
-                                              const Quad<T>& q, const Triple<T>& L_P) {
+  template <class T, class Push>
+  static RIGID_BODY_SIM_INLINE Rate<T> rateAt(const PackLanes<T>& lanes, const Push& push,
+                                              const Triple<T>& p, const Quad<T>& q,
+                                              const Triple<T>& L_P) {
     const Triple<T> w = scaled(lanes.tripleAt(kRotationColumn), L_P);
     const T mass = lanes.at(kMassColumn);
     Rate<T> rate;
     rate.x = {p.x / mass, p.y / mass, p.z / mass};
+    rate.p = lanes.tripleAt(kForceColumn);
     rate.q = product(q, Quad<T>{0.5 * w.x, 0.5 * w.y, 0.5 * w.z, T(0.0)});
-    rate.L_P = plusZero(gyroscopicTorque(lanes.tripleAt(kDifferencesColumn), w));
+    rate.L_P = gyroscopicTorque(lanes.tripleAt(kDifferencesColumn), w);
+    if constexpr (Push::kActs) {
+      const PackWrench<T> wrench = push.at(rate.p, q);
+      rate.p = wrench.f_W;
+      rate.L_P = (rate.L_P + rotateBack(q, wrench.tau_W)) + wrench.tau_P;
+    } else {
+      rate.L_P = plusZero(rate.L_P);
+    }
     return rate;
   }
 };

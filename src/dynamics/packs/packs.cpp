@@ -22,6 +22,14 @@ bool hasPackSteps(const Method& method) {
   return std::find(all.begin(), all.end(), method.step) != all.end();
 }
 
+/// A torque of −0 would lose its sign where that of no force at all is added to it.
+bool hasPackSteps(const HeldWrench& held) {
+  const auto isNegativeZero = [](double x) { return x == 0 && std::signbit(x); };
+  return held.world_point_forces.empty() && held.body_point_forces.size() <= 1 && !held.drive &&
+         !held.medium && !isNegativeZero(held.tau_P.x()) && !isNegativeZero(held.tau_P.y()) &&
+         !isNegativeZero(held.tau_P.z());
+}
+
 std::optional<PackKind> packKindOf(const SteadyMotion& motion) {
   const StepFunction step = motion.method->step;
   if (step == semiImplicitEulerStep) return PackKind::kSemiImplicitEuler;
@@ -45,12 +53,15 @@ std::vector<std::size_t> Packs::bodies() const {
 
 std::vector<std::size_t> Packs::takeOffers() { return std::exchange(offered_, {}); }
 
-Packs::Shelf& Packs::shelfOf(PackKind kind, const Method& method, std::uint32_t& index) {
-  const auto fits = [kind](const Shelf& shelf) { return shelf.kind == kind; };
+Packs::Shelf& Packs::shelfOf(PackKind kind, bool pushed, const Method& method,
+                             std::uint32_t& index) {
+  const auto fits = [&](const Shelf& shelf) {
+    return shelf.kind == kind && shelf.pushed == pushed;
+  };
   const auto found = std::find_if(shelves_.begin(), shelves_.end(), fits);
   index = static_cast<std::uint32_t>(found - shelves_.begin());
   if (found != shelves_.end()) return *found;
-  shelves_.push_back({kind, &method, {}, {}});
+  shelves_.push_back({kind, pushed, &method, {}, {}, {}});
   return shelves_.back();
 }
 
@@ -59,13 +70,19 @@ bool Packs::add(std::size_t body, const SteadyMotion& motion, const BodyState& s
   const std::optional<PackKind> kind = packKindOf(motion);
   if (!kind) return false;
   PackBlock alone = emptyBlock();
+  PushBlock push{};
   putBody(motion, *kind, time_step_, state, alone, 0);
-  if (!isCertain(alone, 0) || !staysModest(alone, 0)) return false;
+  const bool pushed = putPush(motion, push, 0);
+  if (!isCertain(alone, 0) || !staysModest(alone, 0) || !staysModest(push, 0)) return false;
   std::uint32_t index = 0;
-  Shelf& shelf = shelfOf(*kind, *motion.method, index);
+  Shelf& shelf = shelfOf(*kind, pushed, *motion.method, index);
   const std::size_t lane = shelf.lanes.size();
-  if (lane % PackBlock::kLanes == 0) shelf.blocks.push_back(emptyBlock());
+  if (lane % PackBlock::kLanes == 0) {
+    shelf.blocks.push_back(emptyBlock());
+    if (pushed) shelf.pushes.push_back({});
+  }
   copyLane(alone, 0, shelf.blocks.back(), lane % PackBlock::kLanes);
+  if (pushed) copyLane(push, 0, shelf.pushes.back(), lane % PackBlock::kLanes);
   shelf.lanes.push_back({body, steps, motion.wrenches_current, next_event});
   places_[body] = {index, static_cast<std::uint32_t>(lane)};
   new_.push_back(body);
@@ -74,23 +91,29 @@ bool Packs::add(std::size_t body, const SteadyMotion& motion, const BodyState& s
   return true;
 }
 
-/// The last of its shelf takes its place.
+/// The last of a shelf takes the place of another.
+void Packs::putLast(std::size_t lane, Shelf& shelf) {
+  constexpr std::size_t kLanes = PackBlock::kLanes;
+  const std::size_t last = (shelf.lanes.size() - 1) % kLanes;
+  copyLane(shelf.blocks.back(), last, shelf.blocks[lane / kLanes], lane % kLanes);
+  if (shelf.pushed) copyLane(shelf.pushes.back(), last, shelf.pushes[lane / kLanes], lane % kLanes);
+  shelf.lanes[lane] = shelf.lanes.back();
+  places_[shelf.lanes[lane].body].lane = static_cast<std::uint32_t>(lane);
+}
+
 void Packs::remove(std::size_t body) {
   const Place place = std::exchange(places_[body], Place());
   Shelf& shelf = shelves_[place.shelf];
-  const std::size_t last = shelf.lanes.size() - 1, last_lane = last % PackBlock::kLanes;
-  PackBlock& last_block = shelf.blocks.back();
-  if (place.lane != last) {
-    copyLane(last_block, last_lane, shelf.blocks[place.lane / PackBlock::kLanes],
-             place.lane % PackBlock::kLanes);
-    shelf.lanes[place.lane] = shelf.lanes[last];
-    places_[shelf.lanes[last].body].lane = place.lane;
-  }
+  if (place.lane + 1 != shelf.lanes.size()) putLast(place.lane, shelf);
   shelf.lanes.pop_back();
-  if (last_lane == 0)
+  const std::size_t last_lane = shelf.lanes.size() % PackBlock::kLanes;
+  if (last_lane == 0) {
     shelf.blocks.pop_back();
-  else
-    copyLane(emptyBlock(), 0, last_block, last_lane);
+    if (shelf.pushed) shelf.pushes.pop_back();
+  } else {
+    copyLane(emptyBlock(), 0, shelf.blocks.back(), last_lane);
+    if (shelf.pushed) copyLane(PushBlock{}, 0, shelf.pushes.back(), last_lane);
+  }
   --size_;
 }
 
@@ -129,6 +152,7 @@ Packs::Stepped Packs::steppedTo(std::size_t body, std::int64_t steps) const {
 
 /// As methods add a torque of zero to L_W: a zero gets its sign.
 void Packs::addNoTorque(const Place& place) {
+  if (shelves_[place.shelf].pushed) return;
   PackBlock& block = shelves_[place.shelf].blocks[place.lane / PackBlock::kLanes];
   for (int i = 0; i < 3; ++i)
     block.columns[kWorldSpinColumn + i][place.lane % PackBlock::kLanes] += 0.0;
@@ -144,8 +168,8 @@ void Packs::advance(std::int64_t steps, std::int64_t count) {
                  static_cast<double>(steps + k) * time_step_;
   for (Shelf& shelf : shelves_) {
     const std::size_t bodies = shelf.lanes.size();
-    packKernelsFor(bodies).step(shelf.kind)(lengths, static_cast<int>(count), shelf.blocks.data(),
-                                            bodies);
+    packKernelsFor(bodies).step(shelf.kind, shelf.pushed)(
+        lengths, static_cast<int>(count), shelf.blocks.data(), shelf.pushes.data(), bodies);
   }
   certain_steps_ -= count;
 }

@@ -7,21 +7,27 @@
 
 #include "dynamics/methods/catalogue.hpp"
 #include "dynamics/packs/pack_block.hpp"
+#include "dynamics/wrenches/held_wrench.hpp"
 
 namespace rigid_body_sim {
 
-/// What moves a body by itself in the same way from step to step: an integrator, without torque.
+/// What moves a body by itself in the same way from step to step: an integrator, and what is held.
 struct SteadyMotion {
   const Body* body;
   const Method* method;
-  double max_turn;                ///< |ω| h [rad] up to which a step is not divided
-  Vector3d f_W;                   ///< [N] gravity included
-  bool wrenches_current = false;  ///< see Workspace
-  double magnification = 0;       ///< see Stepper
+  double max_turn;                   ///< |ω| h [rad] up to which a step is not divided
+  Vector3d weight_W;                 ///< [N] of gravity
+  const HeldWrench* held = nullptr;  ///< null: nothing
+  bool wrenches_current = false;     ///< see Workspace
+  double magnification = 0;          ///< see Stepper
 };
 
 /// Whether bodies may be stepped by this integrator in packs.
 bool hasPackSteps(const Method& method);
+
+/// Whether bodies on which this is held may be stepped in packs: one force at a point of the body
+/// at most, none at a point of the world.
+bool hasPackSteps(const HeldWrench& held);
 
 /// The pack steps of the integrator with which a body moves; none where there are none.
 std::optional<PackKind> packKindOf(const SteadyMotion& motion);
@@ -111,13 +117,16 @@ class Packs {
   /// Bodies that are stepped by the same function.
   struct Shelf {
     PackKind kind;
+    bool pushed;
     const Method* method;
     std::vector<PackBlock> blocks;
+    std::vector<PushBlock> pushes;  // block by block; none of bodies without torque
     std::vector<Lane> lanes;
   };
 
   void addNoTorque(const Place& place);
-  Shelf& shelfOf(PackKind kind, const Method& method, std::uint32_t& index);
+  void putLast(std::size_t lane, Shelf& shelf);
+  Shelf& shelfOf(PackKind kind, bool pushed, const Method& method, std::uint32_t& index);
   static std::int64_t evaluationsOf(const Shelf& shelf, const Lane& lane, std::int64_t steps);
 
   double time_step_ = 0;

@@ -7,17 +7,20 @@
 namespace rigid_body_sim {
 
 std::optional<SteadyMotion> Group::steadyMotion() const {
-  const bool is_steady = stepper_ && bodies_.members.size() == 1 && system_.torque_free &&
+  const bool no_laws =
+      system_.laws.empty() && system_.flows.empty() && system_.stateful_laws.empty();
+  const bool is_steady = stepper_ && bodies_.members.size() == 1 && no_laws &&
+                         system_.coupled.empty() && hasPackSteps(system_.held[0]) &&
                          system_.pivots.empty() && system_.driven.empty() && !isAtRest() &&
                          stepper_->takesWholeSteps();
   if (!is_steady) return std::nullopt;
-  Workspace workspace;
-  evaluateWrenches(system_, present_, workspace);
   const MethodChoice& choice = stepper_->choice();
-  return SteadyMotion{system_.bodies[0],
+  const Body& body = *system_.bodies[0];
+  return SteadyMotion{&body,
                       choice.method,
                       choice.method->max_turn * choice.max_turn_share,
-                      workspace.wrenches[0].f_W,
+                      body.mass * system_.g_W,
+                      &system_.held[0],
                       stepper_->wrenchesCurrent(),
                       stepper_->magnification()};
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,12 @@ class InputReplay {
   /// Inputs that have not been applied yet.
   std::size_t remaining() const { return inputs_.size() - next_; }
   bool isDone() const { return remaining() == 0; }
+
+  /// The step after which the next input is applied; beyond all steps where none is left.
+  std::int64_t nextStep() const {
+    return isDone() ? std::numeric_limits<std::int64_t>::max()
+                    : static_cast<std::int64_t>(inputs_[next_].step);
+  }
 
   /// The state with which the run begins; null where that is the start.
   const State* loaded() const {

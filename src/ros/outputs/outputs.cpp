@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <rigid_body_sim/dynamics/contact_point.hpp>
+
 #include "ros/outputs/law_forces.hpp"
 #include "ros/outputs/markers.hpp"
 #include "ros/outputs/state_messages.hpp"
@@ -99,12 +101,21 @@ void Outputs::greet(const BodyTopics& topics) {
 
 double Outputs::shownTime() const { return std::max(last_t_, simulation_->time()); }
 
+double Outputs::nextOfAll() const {
+  const double t = std::min(state_instants_.next(), imus_.next());
+  return publish_clock_ ? std::min(t, clock_instants_.next()) : t;
+}
+
+/// Touches and releases are those of single steps.
+double Outputs::nextInstant() const {
+  const bool has_changes = contacts_.hasSubscribers() && hasContact(simulation_->world());
+  return has_changes ? simulation_->time() : nextOfAll();
+}
+
 std::optional<double> Outputs::instantWithinStep() const {
   const double h = simulation_->world().solver.time_step;
   const double t_end = static_cast<double>(simulation_->steps() + 1) * h;
-  double t = state_instants_.next();
-  if (publish_clock_) t = std::min(t, clock_instants_.next());
-  t = std::min(t, imus_.next());
+  const double t = nextOfAll();
   if (t < t_end - instantRounding(t_end, h)) return t;
   return std::nullopt;
 }

@@ -46,6 +46,10 @@ class Outputs {
   /// What is due at a step is published after it, by publishDue.
   std::optional<double> instantWithinStep() const;
 
+  /// [s] No instant at which something is to be published is before; the present where every step
+  /// counts.
+  double nextInstant() const;
+
   /// Publishes what is due at that instant, or at all instants before the next step up to t_end
   /// [s].
   void publishInstant(double t);
@@ -106,6 +110,7 @@ class Outputs {
   void publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp);
   void publishMotions(const Snapshot& snapshot, const ros::Time& stamp);
   void setStates(const Snapshot& snapshot, const ros::Time& stamp);
+  double nextOfAll() const;
   bool anySubscribers() const;
   Snapshot shown() const { return Snapshot(*simulation_, shownTime()); }
 

@@ -26,6 +26,9 @@ class BagOutput {
   /// Writes what is due before the next step, up to time t_end [s].
   void writeWithinStep(double t_end);
 
+  /// See Outputs.
+  double nextInstant() const { return outputs_->nextInstant(); }
+
   /// Bodies have been moved other than by time.
   void breakTrails() { outputs_->breakTrails(); }
 

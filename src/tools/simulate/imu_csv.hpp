@@ -23,10 +23,12 @@ class ImuCsv {
   /// Writes what is due before the next step, up to time t_end [s].
   void writeWithinStep(double t_end);
 
+  /// [s] Of the next sample.
+  double next() const;
+
   void finish() { file_.finish(); }
 
  private:
-  double next() const;
   void writeAt(double t, double reach);
 
   const Simulation& simulation_;

@@ -28,6 +28,7 @@ class RecordedRun {
 
   const TimeOrigin& origin() const { return recorded_.origin; }
   InputReplay& replay() { return replay_; }
+  std::int64_t nextStep() const { return replay_.nextStep(); }
 
   /// Of the inputs that have been applied so far.
   std::vector<InputEffects> effects(const World& world) const;

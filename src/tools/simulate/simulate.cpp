@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,7 +39,8 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kBagSample = 0.01;  // [s] as the node publishes by default
+constexpr double kBagSample = 0.01;    // [s] as the node publishes by default
+constexpr double kBarStretches = 200;  // of a run that writes no rows
 
 void requireDistinctFiles(const SimulateOptions& options) {
   std::vector<NamedFile> files{{"the scene", options.scene, false}};
@@ -151,6 +153,16 @@ void openOutputs(Job& job) {
   if (job.options.plot) job.plot = std::make_unique<PlotFiles>(*job.options.plot, job.simulation);
 }
 
+/// The steps up to the next at which an input comes, something is written or the clock is read.
+std::int64_t freeSteps(const Job& job, const SlowRunNotice& slow) {
+  double written = std::numeric_limits<double>::infinity();  // [s]
+  if (job.imu_csv) written = std::min(written, job.imu_csv->next());
+  if (job.bag) written = std::min(written, job.bag->nextInstant());
+  std::int64_t until = std::min(slow.nextLook(), stepsBy(job.simulation, written));
+  if (job.record) until = std::min(until, job.record->nextStep());
+  return until - job.simulation.steps();
+}
+
 /// As the node: inputs are applied before a step, the state is published after it.
 StepHooks hooksOf(Job& job, SlowRunNotice& slow, StepWatch& watch) {
   StepHooks hooks;
@@ -172,10 +184,11 @@ StepHooks hooksOf(Job& job, SlowRunNotice& slow, StepWatch& watch) {
     if (job.imu_csv) job.imu_csv->writeDue();
     if (job.bag) job.bag->writeDue();
     const std::string text = slow.textIfDue(job.simulation);
-    if (text.empty()) return;
-    job.note(text);
-    job.messages.print();  // though an input to come may be at fault: the user waits now
+    if (!text.empty()) job.note(text);
+    // though an input to come may be at fault: the user waits now
+    if (!text.empty()) job.messages.print();
   };
+  hooks.free_steps = [&job, &slow] { return freeSteps(job, slow); };
   return hooks;
 }
 
@@ -191,6 +204,8 @@ State simulate(Job& job, const StepHooks& hooks) {
   const double begin = job.begin / job.sample, end = job.end / job.sample;
   const double first = std::floor(begin + slack(begin)) + 1;
   const double last = std::max(first, std::ceil(end - slack(end)));
+  const bool has_rows = job.csv || job.plot;
+  const double stride = has_rows ? 1 : std::max(1., std::floor((last - first) / kBarStretches));
   ProgressBar bar;
   // what came in before the first step changes the state that it begins with
   if (hooks.before) hooks.before();
@@ -198,12 +213,14 @@ State simulate(Job& job, const StepHooks& hooks) {
   State state = job.simulation.state();
   if (job.record && job.record->replay().loaded()) job.first = state;
   writeRow(state, job);
-  for (double k = first; k <= last; ++k) {
-    const double t = k == last ? job.end : k * job.sample;
-    state = stateAt(job.simulation, t, hooks);
-    writeRow(state, job);
+  for (double k = first; k < last; k += stride) {
+    const double t = k * job.sample;
+    if (!has_rows) stepTo(job.simulation, t, hooks);
+    if (has_rows) writeRow(bodiesAt(job.simulation, t, hooks), job);
     bar.show((t - job.begin) / (job.end - job.begin));
   }
+  state = stateAt(job.simulation, job.end, hooks);
+  writeRow(state, job);
   return state;
 }
 
@@ -224,14 +241,12 @@ void finish(Job& job) {
   if (job.plot) job.plot->finish();
   if (job.options.save)
     saveState(*job.options.save, job.simulation.world(), job.simulation.state());
-  const std::string substeps = describeSubsteps(job.simulation);
-  if (!substeps.empty()) job.note(substeps);
-  const std::string promise = describePromise(job.simulation);
-  if (!promise.empty()) job.note(promise);
   std::string magnification = describeMagnification(job.simulation);
   if (magnification.empty() && !job.record)
     magnification = describeInstability(job.simulation, job.first);
-  if (!magnification.empty()) job.note(magnification);
+  for (const std::string& text :
+       {describeSubsteps(job.simulation), describePromise(job.simulation), magnification})
+    if (!text.empty()) job.note(text);
   if (job.record && !job.record->remainder(job.end).empty())
     job.note(job.record->remainder(job.end));
   job.messages.print();

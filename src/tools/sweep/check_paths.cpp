@@ -90,7 +90,7 @@ std::optional<SweepRunner::Built> SweepRunner::builtWith(std::size_t index, cons
 std::optional<State> SweepRunner::endOf(const Built& built) const {
   try {
     Simulation run = simulationOf(built);
-    return stateAt(run, built.duration);
+    return bodiesAt(run, built.duration);
   } catch (const SimulationDiverged&) {
   } catch (const StepTooLong&) {
   } catch (const std::invalid_argument&) {

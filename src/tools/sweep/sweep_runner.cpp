@@ -34,15 +34,6 @@ void appendField(double x, std::string& row) {
   appendNumber(x, row);
 }
 
-/// The state at a time as far as time and bodies go: what else a state says is not asked for.
-State bodiesAt(Simulation& run, double t) {
-  if (!stepTo(run, t)) return run.sample(t);
-  State state;
-  state.t = run.time();
-  for (std::size_t i = 0; i < run.world().bodies.size(); ++i) state.bodies.push_back(run.body(i));
-  return state;
-}
-
 }  // namespace
 
 SweepRunner::SweepRunner(const SweepInputs& inputs)
@@ -256,10 +247,10 @@ void SweepRunner::follow(Simulation& run, double duration, RunRecorder* recorder
     hooks.after = [recorder] { recorder->look(); };
   }
   for (int k = 0; fan && k <= kFanInstants; ++k) {
-    const State state = stateAt(run, duration * k / kFanInstants, hooks);
+    const State state = bodiesAt(run, duration * k / kFanInstants, hooks);
     appendField(fan_->of(run.world().bodies[fan_->body], state.bodies[fan_->body]), *fan);
   }
-  if (!fan && recorder) stateAt(run, duration, hooks);
+  if (!fan && recorder) bodiesAt(run, duration, hooks);
 }
 
 /// Returns where the values end in the row. built: null where there is no world to read them from.

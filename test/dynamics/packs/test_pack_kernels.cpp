@@ -13,20 +13,47 @@ namespace {
 
 using test::packedIntegrators;
 
-std::vector<PackBlock> blocksOf(const test::Bench& bench, const std::string& integrator,
-                                PackKind kind, double h) {
+struct Blocks {
   std::vector<PackBlock> blocks;
+  std::vector<PushBlock> pushes;
+
+  std::size_t lanes() const { return blocks.size() * PackBlock::kLanes; }
+  void step(const PackKernels& kernels, PackKind kind, const double* h, int count,
+            std::size_t bodies) {
+    kernels.step(kind, !pushes.empty())(h, count, blocks.data(), pushes.data(), bodies);
+  }
+};
+
+bool sameBlocks(const Blocks& a, const Blocks& b, std::size_t count) {
+  return std::memcmp(a.blocks.data(), b.blocks.data(), count * sizeof(PackBlock)) == 0;
+}
+
+/// pushed: by a wrench of each kind, at every other body a force at a point of it.
+Blocks blocksOf(const test::Bench& bench, const std::string& integrator, PackKind kind, double h,
+                bool pushed) {
+  Blocks all;
   std::size_t count = 0;
+  Draw draw(3);
   for (std::size_t i = 0; i < bench.world.bodies.size(); ++i) {
     const Body& body = bench.world.bodies[i];
     const Method& method = methodNamed(integrator);
-    const SteadyMotion motion{&body, &method, method.max_turn, body.mass * bench.world.g_W};
+    HeldWrench held;
+    held.f_W = draw.vector(1);
+    if (pushed) {
+      held.f_P = draw.vector(1);
+      held.tau_W = draw.vector(0.1);
+      held.tau_P = draw.vector(0.1);
+      if (i % 2 == 0) held.body_point_forces.push_back({draw.vector(0.1), draw.vector(1)});
+    }
+    const SteadyMotion motion{&body, &method, method.max_turn, body.mass * bench.world.g_W, &held};
     if (packKindOf(motion) != kind) continue;
-    if (count % PackBlock::kLanes == 0) blocks.push_back(emptyBlock());
-    putBody(motion, kind, h, bench.initial.bodies[i], blocks.back(), count % PackBlock::kLanes);
-    ++count;
+    const std::size_t lane = count++ % PackBlock::kLanes;
+    if (lane == 0) all.blocks.push_back(emptyBlock());
+    if (lane == 0 && pushed) all.pushes.push_back({});
+    putBody(motion, kind, h, bench.initial.bodies[i], all.blocks.back(), lane);
+    EXPECT_EQ(pushed && putPush(motion, all.pushes.back(), lane), pushed);
   }
-  return blocks;
+  return all;
 }
 
 /// [s] Lengths that differ by rounding, as those of steps do, and by more.
@@ -51,44 +78,45 @@ TEST(PackKernels, GiveTheSameBitsAtEveryWidth) {
   const test::Bench bench = test::thrownBodies(120);
   ASSERT_GE(packKernels().size(), 2u);
   ASSERT_EQ(packKernels().front().lanes, 1u);
-  for (const auto& [integrator, kind] : kKinds) {
-    const std::vector<PackBlock> start = blocksOf(bench, integrator, kind, 0.01);
-    ASSERT_GE(start.size(), 2u) << integrator;
-    std::vector<PackBlock> one_by_one = start;
-    const std::size_t count = start.size() * PackBlock::kLanes;
-    packKernels().front().step(kind)(stepLengths(), 50, one_by_one.data(), count);
-    ASSERT_NE(std::memcmp(one_by_one.data(), start.data(), sizeof(PackBlock)), 0);
-    for (const PackKernels& kernels : packKernels()) {
-      std::vector<PackBlock> packed = start;
-      kernels.step(kind)(stepLengths(), 50, packed.data(), count);
-      EXPECT_EQ(std::memcmp(packed.data(), one_by_one.data(), count / 8 * sizeof(PackBlock)), 0)
-          << integrator << ", " << kernels.lanes << " lanes " << kernels.instructions;
+  for (const bool pushed : {false, true})
+    for (const auto& [integrator, kind] : kKinds) {
+      const Blocks start = blocksOf(bench, integrator, kind, 0.01, pushed);
+      ASSERT_GE(start.blocks.size(), 2u) << integrator;
+      Blocks one_by_one = start;
+      one_by_one.step(packKernels().front(), kind, stepLengths(), 50, start.lanes());
+      ASSERT_FALSE(sameBlocks(one_by_one, start, 1));
+      for (const PackKernels& kernels : packKernels()) {
+        Blocks packed = start;
+        packed.step(kernels, kind, stepLengths(), 50, start.lanes());
+        EXPECT_TRUE(sameBlocks(packed, one_by_one, start.blocks.size()))
+            << integrator << ", " << kernels.lanes << " lanes " << kernels.instructions;
+      }
     }
-  }
 }
 
 TEST(PackKernels, TakeSeveralStepsAsOneByOne) {
   const test::Bench bench = test::thrownBodies(200);
-  for (const auto& [integrator, kind] : kKinds)
-    for (const PackKernels& kernels : packKernels()) {
-      std::vector<PackBlock> at_once = blocksOf(bench, integrator, kind, 0.01);
-      std::vector<PackBlock> singly = at_once;
-      const std::size_t count = at_once.size() * PackBlock::kLanes;
-      kernels.step(kind)(stepLengths(), 9, at_once.data(), count);
-      for (int k = 0; k < 9; ++k) kernels.step(kind)(stepLengths() + k, 1, singly.data(), count);
-      EXPECT_EQ(std::memcmp(at_once.data(), singly.data(), at_once.size() * sizeof(PackBlock)), 0)
-          << integrator;
-    }
+  for (const bool pushed : {false, true})
+    for (const auto& [integrator, kind] : kKinds)
+      for (const PackKernels& kernels : packKernels()) {
+        Blocks at_once = blocksOf(bench, integrator, kind, 0.01, pushed);
+        Blocks singly = at_once;
+        at_once.step(kernels, kind, stepLengths(), 9, at_once.lanes());
+        for (int k = 0; k < 9; ++k)
+          singly.step(kernels, kind, stepLengths() + k, 1, at_once.lanes());
+        EXPECT_TRUE(sameBlocks(at_once, singly, at_once.blocks.size())) << integrator;
+      }
 }
 
 TEST(PackKernels, LeaveBodiesAloneThatAreNotAsked) {
-  const std::vector<PackBlock> start =
-      blocksOf(test::thrownBodies(40), "rk4", PackKind::kRk4, 0.01);
-  for (const PackKernels& kernels : packKernels()) {
-    std::vector<PackBlock> blocks = start;
-    kernels.step(PackKind::kRk4)(stepLengths(), 3, blocks.data(), PackBlock::kLanes);
-    EXPECT_NE(std::memcmp(&blocks[0], &start[0], sizeof(PackBlock)), 0);
-    EXPECT_EQ(std::memcmp(&blocks[1], &start[1], sizeof(PackBlock)), 0);
+  for (const bool pushed : {false, true}) {
+    const Blocks start = blocksOf(test::thrownBodies(40), "rk4", PackKind::kRk4, 0.01, pushed);
+    for (const PackKernels& kernels : packKernels()) {
+      Blocks stepped = start;
+      stepped.step(kernels, PackKind::kRk4, stepLengths(), 3, PackBlock::kLanes);
+      EXPECT_FALSE(sameBlocks(stepped, start, 1));
+      EXPECT_EQ(std::memcmp(&stepped.blocks[1], &start.blocks[1], sizeof(PackBlock)), 0);
+    }
   }
 }
 

@@ -66,14 +66,18 @@ TEST(PackedRuns, StepBodiesInPacks) {
     rigid_body_sim::Run run = runOf(thrownBodies(20), integrator);
     run.step();
     EXPECT_EQ(run.now().packs.size(), 20u) << integrator;
-    run.put("", turnOf(3, 0, 1));
+    PointWrench pulled = turnOf(3, 0, 1);
+    pulled.point_frame = kWorld;
+    run.put("", pulled);
     EXPECT_EQ(run.now().packs.size(), 19u);
     run.step();
     EXPECT_FALSE(run.now().packs.holds(3));
-    run.put("a", pushOf(4, 0, 1));
-    EXPECT_FALSE(run.now().packs.holds(4));
-    run.step();
-    EXPECT_TRUE(run.now().packs.holds(4));
+    for (const PointWrench& push : {pushOf(4, 0, 1), turnOf(5, 0, 1)}) {
+      run.put("a", push);
+      EXPECT_FALSE(run.now().packs.holds(push.body));
+      run.step();
+      EXPECT_TRUE(run.now().packs.holds(push.body));
+    }
   }
   rigid_body_sim::Run solved = runOf(thrownBodies(20), "auto");
   solved.step();

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "dynamics/packs/pack.hpp"
+#include "dynamics/packs/pack_block.hpp"
+#include "dynamics/rotation/free_motion.hpp"
+
+/// What steps of packs are made of: the numbers of some bodies, what acts on them, kicks and ways.
+namespace rigid_body_sim {
+
+/// The bodies of a block from one lane on.
+template <class T>
+class PackLanes {
+ public:
+  RIGID_BODY_SIM_INLINE PackLanes(PackBlock& block, std::size_t lane)
+      : block_(block), lane_(lane) {}
+
+  RIGID_BODY_SIM_INLINE T at(int column) const {
+    T value;
+    load(block_.columns[column] + lane_, value);
+    return value;
+  }
+  RIGID_BODY_SIM_INLINE Triple<T> tripleAt(int column) const {
+    return {at(column), at(column + 1), at(column + 2)};
+  }
+  RIGID_BODY_SIM_INLINE Quad<T> quadAt(int column) const {
+    return {at(column), at(column + 1), at(column + 2), at(column + 3)};
+  }
+
+  RIGID_BODY_SIM_INLINE void put(int column, const T& value) {
+    store(value, block_.columns[column] + lane_);
+  }
+  RIGID_BODY_SIM_INLINE void put(int column, const Triple<T>& v) {
+    put(column, v.x);
+    put(column + 1, v.y);
+    put(column + 2, v.z);
+  }
+  RIGID_BODY_SIM_INLINE void put(int column, const Quad<T>& q) {
+    put(column, Triple<T>{q.x, q.y, q.z});
+    put(column + 3, q.w);
+  }
+
+ private:
+  PackBlock& block_;
+  std::size_t lane_;
+};
+
+template <class T>
+RIGID_BODY_SIM_INLINE Triple<T> plusZero(const Triple<T>& v) {
+  return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
+}
+
+/// x += d, compensated.
+template <class T>
+RIGID_BODY_SIM_INLINE void moveLanes(const Triple<T>& d, PackLanes<T>& lanes) {
+  Triple<T> x = lanes.tripleAt(kPositionColumn), low = lanes.tripleAt(kPositionLowColumn);
+  moveBy(d.x, x.x, low.x);
+  moveBy(d.y, x.y, low.y);
+  moveBy(d.z, x.z, low.z);
+  lanes.put(kPositionColumn, x);
+  lanes.put(kPositionLowColumn, low);
+}
+
+/// No torque, and no force in body axes.
+struct NoPush {
+  static constexpr bool kActs = false;
+};
+
+/// A wrench, as Wrench.
+template <class T>
+struct PackWrench {
+  Triple<T> f_W, tau_W, tau_P;
+};
+
+/// What is held on the bodies of a block from one lane on, one force at a point of the body at
+/// most.
+template <class T>
+class PushLanes {
+ public:
+  static constexpr bool kActs = true;
+
+  RIGID_BODY_SIM_INLINE PushLanes(const PushBlock& block, std::size_t lane)
+      : block_(block), lane_(lane) {}
+
+  /// As HeldWrench::at, and gravity.
+  RIGID_BODY_SIM_INLINE PackWrench<T> at(const Triple<T>& f_W, const Quad<T>& q) const {
+    return {(f_W + rotate(q, tripleAt(kBodyForceColumn))) + tripleAt(kWeightColumn),
+            tripleAt(kCoupleColumn),
+            tripleAt(kBodyCoupleColumn) +
+                cross(tripleAt(kArmColumn), rotateBack(q, tripleAt(kArmForceColumn)))};
+  }
+
+ private:
+  RIGID_BODY_SIM_INLINE Triple<T> tripleAt(int column) const {
+    Triple<T> v;
+    load(block_.columns[column] + lane_, v.x);
+    load(block_.columns[column + 1] + lane_, v.y);
+    load(block_.columns[column + 2] + lane_, v.z);
+    return v;
+  }
+
+  const PushBlock& block_;
+  std::size_t lane_;
+};
+
+/// As `kick` of free_motion.hpp; returns L_P.
+template <class T>
+RIGID_BODY_SIM_INLINE Triple<T> kickLanes(double h, const PackWrench<T>& wrench, const Quad<T>& q,
+                                          const Triple<T>& L_P, PackLanes<T>& lanes) {
+  lanes.put(kMomentumColumn, lanes.tripleAt(kMomentumColumn) + h * wrench.f_W);
+  lanes.put(kWorldSpinColumn,
+            lanes.tripleAt(kWorldSpinColumn) + h * (wrench.tau_W + rotate(q, wrench.tau_P)));
+  return L_P + h * (rotateBack(q, wrench.tau_W) + wrench.tau_P);
+}
+
+/// x += h p/m
+template <class T>
+RIGID_BODY_SIM_INLINE void driftLanes(double h, PackLanes<T>& lanes) {
+  moveLanes(T(h / lanes.at(kMassColumn)) * lanes.tripleAt(kMomentumColumn), lanes);
+}
+
+}  // namespace rigid_body_sim
