@@ -19,21 +19,39 @@ class Scene {
 
   /// What follows at time `duration` from these poses, bristles not stretched.
   std::vector<Pose> run(const std::vector<Pose>& start, Real duration) {
-    y_.assign(kBody * bodies.size() + kOwn * elements.size(), 0);
-    modes_.assign(elements.size(), Mode());
-    for (std::size_t i = 0; i < bodies.size(); ++i) setPose(i, start[i]);
-    switchModes();
-    for (Real t = 0; t < duration;) {
-      const Real left = duration - t, h = std::min(left, longestStep());
-      const Real done = advance(h);
-      t = done == left ? duration : t + done;
+    return track(start, duration, 1).back();
+  }
+
+  /// The same at the ends of equal intervals, the start first.
+  std::vector<std::vector<Pose>> track(const std::vector<Pose>& start, Real duration,
+                                       int intervals) {
+    begin(start);
+    std::vector<std::vector<Pose>> poses_then{start};
+    for (int k = 0; k < intervals; ++k) {
+      goOn(duration / static_cast<Real>(intervals));
+      poses_then.push_back(poses(y_));
     }
-    return poses(y_);
+    return poses_then;
   }
 
  private:
   static constexpr std::size_t kBody = 13, kOwn = 4;
   using Numbers = std::vector<Real>;
+
+  void begin(const std::vector<Pose>& start) {
+    y_.assign(kBody * bodies.size() + kOwn * elements.size(), 0);
+    modes_.assign(elements.size(), Mode());
+    for (std::size_t i = 0; i < bodies.size(); ++i) setPose(i, start[i]);
+    switchModes();
+  }
+
+  void goOn(Real duration) {
+    for (Real t = 0; t < duration;) {
+      const Real left = duration - t, h = std::min(left, longestStep());
+      const Real done = advance(h);
+      t = done == left ? duration : t + done;
+    }
+  }
 
   void setPose(std::size_t i, const Pose& p) {
     Real* y = y_.data() + kBody * i;

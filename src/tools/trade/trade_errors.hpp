@@ -18,6 +18,12 @@ struct Errors {
   double bounded() const { return std::max(attitude, position); }
 };
 
+/// The greater of each.
+inline Errors worst(const Errors& a, const Errors& b) {
+  return {std::max(a.attitude, b.attitude), std::max(a.position, b.position),
+          std::max(a.energy, b.energy), std::max(a.angular_momentum, b.angular_momentum)};
+}
+
 /// The errors of a track against the truth: states at the same instants, the first of both the
 /// initial state. What rounding of a body's size, and of forces that cancel its weight, makes of
 /// its place is no error: the path of one that hovers is no longer than that. The scale of the

@@ -30,9 +30,9 @@ const char* varied(const Trade& trade) {
   return tolerances ? "tolerance" : "time step";
 }
 
-/// An error, with ~ where the reference is no surer.
+/// An error, with ~ where the reference's own could make it wrong by more than a factor of two.
 std::string errorText(double error, double doubt) {
-  return formatted(" %9.1e%c", error, error <= doubt ? '~' : ' ');
+  return formatted(" %9.1e%c", error, error <= 2 * doubt ? '~' : ' ');
 }
 
 }  // namespace
@@ -107,7 +107,8 @@ std::string tableText(const Trade& trade) {
                        static_cast<long long>(s.force_evaluations));
   }
   return table +
-         "* on the Pareto front   < what the scene says now   ~ the reference is no surer\n";
+         "* on the Pareto front   < what the scene says now   ~ less than twice what the reference "
+         "may err by\n";
 }
 
 const Setting* recommended(const Trade& trade) {
