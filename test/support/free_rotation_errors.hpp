@@ -24,9 +24,12 @@ ReferenceFreeRotation<R> referenceAt(const SpinningBody& body, double t) {
   return reference;
 }
 
-/// [rad]
+/// [rad] The greater of the motions for many evaluations and for one.
 inline double attitudeError(const SpinningBody& body, double t) {
-  return angleToReference(freeRotation(body).at(t).q_WP, referenceAt(body, t).state());
+  const auto reference = referenceAt(body, t);
+  const Quaterniond once = FreeTop<double>(body.I).after(t, body.q_WP, body.L_P, body.L_W()).q_WP;
+  return std::max(angleToReference(freeRotation(body).at(t).q_WP, reference.state()),
+                  angleToReference(once, reference.state()));
 }
 
 /// How many times the attitude at t moves further than a component of L_P or I that is changed by

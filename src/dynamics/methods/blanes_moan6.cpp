@@ -17,7 +17,7 @@ void blanesMoan6Step(const System& system, double h, SystemState& states, Worksp
       {a1, a2, a3, a4, a5, a6, a7, a8, a7, a6, a5, a4, a3, a2, a1},
       {b1, b2, b3, b4, b5, b6, b7, b7, b6, b5, b4, b3, b2, b1}};
   const auto drift = [](const Body& body, double step, BodyState& s) {
-    s = FreeFlight(body, Vector3d::Zero(), s).at(step);
+    s = flownFreely(body, s, step);
   };
   methods::driftKickDrift(kBlanesMoan, drift, system, h, states, workspace);
 }

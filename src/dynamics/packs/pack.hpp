@@ -118,6 +118,36 @@ RIGID_BODY_SIM_INLINE Twin<kLanes> positivePart(const Twin<kLanes>& x) {
   return {positivePart(x.a), positivePart(x.b)};
 }
 
+RIGID_BODY_SIM_INLINE bool anyNonZero(double x) { return x != 0; }
+
+template <int kLanes>
+RIGID_BODY_SIM_INLINE bool anyNonZero(const Pack<kLanes>& x) {
+  bool any = false;
+  for (int i = 0; i < kLanes; ++i) any |= x.v[i] != 0;
+  return any;
+}
+
+template <int kLanes>
+RIGID_BODY_SIM_INLINE bool anyNonZero(const Twin<kLanes>& x) {
+  return anyNonZero(x.a) || anyNonZero(x.b);
+}
+
+RIGID_BODY_SIM_INLINE double absolute(double x) { return __builtin_fabs(x); }
+
+template <int kLanes>
+RIGID_BODY_SIM_INLINE Pack<kLanes> absolute(const Pack<kLanes>& x) {
+  typedef long long Bits __attribute__((vector_size(8 * kLanes)));
+  constexpr long long kAllButSign = 0x7fffffffffffffff;
+  Pack<kLanes> size;
+  size.v = (typename VectorOf<kLanes>::Type)((Bits)x.v & kAllButSign);
+  return size;
+}
+
+template <int kLanes>
+RIGID_BODY_SIM_INLINE Twin<kLanes> absolute(const Twin<kLanes>& x) {
+  return {absolute(x.a), absolute(x.b)};
+}
+
 RIGID_BODY_SIM_INLINE double squareRoot(double x) { return __builtin_sqrt(x); }
 
 template <int kLanes>

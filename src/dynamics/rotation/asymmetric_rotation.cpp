@@ -15,31 +15,51 @@ FreeInvariants<T>::FreeInvariants(const ScaledInertia<T>& inertia, const Angular
   D3 = -(T1 * inertia.I31 + T2 * inertia.I32);
 }
 
-namespace {
-
-/// What the constants of the motion are made of, in terms of the axis circled and the other one.
 template <class T>
-struct CircledAxis {
-  CircledAxis(const ScaledInertia<T>& i, const FreeInvariants<T>& f)
-      : first(f.D2 < Wide<T>(0)),
-        Ia(first ? i.I1 : i.I3),
-        Ib(first ? i.I3 : i.I1),
-        Ia2(first ? i.I21 : i.I32),
-        Ib2(first ? i.I32 : i.I21),
-        Da(first ? f.D1 : -f.D3),
-        Db(first ? -f.D3 : f.D1) {}
+AsymmetricPath<T>::AsymmetricPath(const ScaledInertia<T>& i, const FreeInvariants<T>& f)
+    : first(f.D2 < Wide<T>(0)), a(first ? 0 : 2), turned(f.m(a) < Wide<T>(0)) {
+  using std::abs;
+  using std::sqrt;
+  using W = Wide<T>;
+  const W Ia = first ? i.I1 : i.I3, Ib = first ? i.I3 : i.I1;
+  const W Ia2 = first ? i.I21 : i.I32, Ib2 = first ? i.I32 : i.I21;  // |I_a − I2|, |I_b − I2|
+  const W Da = first ? f.D1 : -f.D3, Db = first ? -f.D3 : f.D1;      // |D_a|, |D_b|
+  const W I1I3 = i.I1 * i.I3;
+  A = sqrt(Ia * Db / i.I31);
+  B = sqrt(Ib * Da / i.I31);
+  M = sqrt(i.I2 * Da / Ia2);
 
-  bool first;
-  Wide<T> Ia, Ib;
-  Wide<T> Ia2, Ib2;  ///< |I_a − I2|, |I_b − I2|
-  Wide<T> Da, Db;    ///< |D_a|, |D_b|
+  // where on its path m starts; sn and cn from their ratio, never through an angle
+  const W sign(turned ? -1 : 1);
+  const W s = f.m(1) * B;
+  const W c = sign * f.m(2 - a) * M;
+  const W norm = sqrt(s * s + c * c);
+  sn = s / norm;
+  cn = c / norm;
+  dn = sign * f.m(a) / A;
 
-  /// 1 − k²
-  Wide<T> complementaryParameter(const ScaledInertia<T>& i, const FreeInvariants<T>& f) const {
-    using std::abs;
-    return std::min(Wide<T>(1), abs(f.D2) * i.I31 / (Db * Ia2));
-  }
-};
+  const W lambda_scaled = sqrt(Db * Ia2 / (I1I3 * i.I2));
+  C = i.I31 / (lambda_scaled * I1I3);
+  lambda = f.rate * lambda_scaled;
+  k2 = Da * Ib2 / (Db * Ia2);
+  mc = std::min(W(1), abs(f.D2) * i.I31 / (Db * Ia2));
+  r = sqrt(i.I2 * i.I31 / (Ib * Ia2));
+
+  // the characteristic nearer to zero leaves the smaller integral beside the secular rate
+  const W n = -Ia * Ib2 / (Ib * Ia2);
+  const W N = -Ib * Da / (Ia * Db);
+  w = sqrt(W(1) - N);
+  other_rate = abs(n) <= abs(N);
+  nu = other_rate ? n : N;
+  const CompleteIntegrals<W> complete = completeIntegrals(mc, nu);
+  half_period = W(2) * complete.K;
+  rate = f.rate / (other_rate ? Ib : Ia);
+  const W per_half_period = W(2) * C * complete.Pi_minus_K;
+  const W sigma(first ? 1 : -1);
+  angle_per_half_period = sigma * (other_rate ? kPi<W> - per_half_period : per_half_period);
+}
+
+namespace {
 
 /// The functions at s + v. The denominator 1 − k² sn²s sn²v is written cn²s + sn²s dn²v, which does
 /// not cancel, and all is scaled by its greater root, so that near the separatrix nothing
@@ -59,54 +79,30 @@ JacobiValues<T> sumArgument(const JacobiValues<T>& s, const JacobiValues<T>& v, 
 }  // namespace
 
 template <class T>
-AsymmetricRotation<T>::AsymmetricRotation(const ScaledInertia<T>& inertia,
+AsymmetricRotation<T>::AsymmetricRotation(const AsymmetricPath<T>& path,
                                           const FreeInvariants<T>& invariants,
                                           const Quaternion<T>& q_WP)
-    : magnitude_(invariants.magnitude),
-      jacobi_(CircledAxis<T>(inertia, invariants).complementaryParameter(inertia, invariants)) {
-  using std::abs;
-  using std::sqrt;
+    : lambda_(path.lambda),
+      half_period_(path.half_period),
+      rate_(path.rate),
+      angle_per_half_period_(path.angle_per_half_period),
+      magnitude_(invariants.magnitude),
+      sigma_(T(path.first ? 1 : -1)),
+      amplitude_a_(T(path.A)),
+      amplitude_2_(T(path.M)),
+      amplitude_b_(T(path.B)),
+      start_{T(path.sn), T(path.cn), T(path.dn)},
+      jacobi_(path.mc),
+      k2_(T(path.k2)),
+      nu_(T(path.nu)),
+      C_(T(path.C)),
+      r_(T(path.r)),
+      w_(T(path.w)),
+      a_(path.a),
+      turned_(path.turned),
+      other_rate_(path.other_rate) {
   using W = Wide<T>;
-  const CircledAxis<T> axis(inertia, invariants);
-  a_ = axis.first ? 0 : 2;
-  sigma_ = T(axis.first ? 1 : -1);
-  const W I1I3 = inertia.I1 * inertia.I3;
-  const W A = sqrt(axis.Ia * axis.Db / inertia.I31);
-  const W B = sqrt(axis.Ib * axis.Da / inertia.I31);
-  const W M = sqrt(inertia.I2 * axis.Da / axis.Ia2);
-  amplitude_a_ = T(A);
-  amplitude_2_ = T(M);
-  amplitude_b_ = T(B);
-
-  // where on its path m starts; sn and cn from their ratio, never through an angle
-  turned_ = invariants.m(a_) < W(0);
   const W sign(turned_ ? -1 : 1);
-  const W s = invariants.m(1) * B;
-  const W c = sign * invariants.m(2 - a_) * M;
-  const W norm = sqrt(s * s + c * c);
-  start_ = {T(s / norm), T(c / norm), T(sign * invariants.m(a_) / A)};
-
-  const W lambda = sqrt(axis.Db * axis.Ia2 / (I1I3 * inertia.I2));
-  const W C = inertia.I31 / (lambda * I1I3);
-  lambda_ = invariants.rate * lambda;
-  k2_ = T(axis.Da * axis.Ib2 / (axis.Db * axis.Ia2));
-  C_ = T(C);
-  r_ = T(sqrt(inertia.I2 * inertia.I31 / (axis.Ib * axis.Ia2)));
-
-  // the characteristic nearer to zero leaves the smaller integral beside the secular rate
-  const W n = -axis.Ia * axis.Ib2 / (axis.Ib * axis.Ia2);
-  const W N = -axis.Ib * axis.Da / (axis.Ia * axis.Db);
-  w_ = T(sqrt(W(1) - N));
-  other_rate_ = abs(n) <= abs(N);
-  const W nu = other_rate_ ? n : N;
-  nu_ = T(nu);
-  const W mc = axis.complementaryParameter(inertia, invariants);
-  const CompleteIntegrals<W> complete = completeIntegrals(mc, nu);
-  half_period_ = W(2) * complete.K;
-  rate_ = invariants.rate / (other_rate_ ? axis.Ib : axis.Ia);
-  const W per_half_period = W(2) * C * complete.Pi_minus_K;
-  angle_per_half_period_ = W(sigma_) * (other_rate_ ? kPi<W> - per_half_period : per_half_period);
-
   const Vector3<W> m0(sign * invariants.m(0), invariants.m(1), sign * invariants.m(2));
   const Quaternion<T> back(shortestRotation<T>(a_, Vector3<T>(m0.template cast<T>())).conjugate());
   before_ = product(q_WP, turned_ ? halfTurned(back) : back);
@@ -166,6 +162,8 @@ RotationState<T> AsymmetricRotation<T>::at(T dt) const {
   return turnedState<T>(before_, turned_, a_, psi, m, magnitude_);
 }
 
+template struct AsymmetricPath<double>;
+template struct AsymmetricPath<long double>;
 template class AsymmetricRotation<double>;
 template class AsymmetricRotation<long double>;
 template struct FreeInvariants<double>;

@@ -20,6 +20,26 @@ struct FreeInvariants {
   Wide<T> D3;          ///< ≤ 0
 };
 
+/// The constants of the path that m, the unit vector along L_P, takes off the principal axes and
+/// off the separatrix, and where on it m starts; see AsymmetricRotation.
+template <class T>
+struct AsymmetricPath {
+  AsymmetricPath(const ScaledInertia<T>& inertia, const FreeInvariants<T>& invariants);
+
+  bool first;           ///< whether m circles e₁, not e₃
+  int a;                ///< index of the axis circled, 0 or 2
+  bool turned;          ///< m_a < 0: described after half a turn about e₂
+  Wide<T> A, B, M;      ///< amplitudes of m_a, m_b, m₂
+  Wide<T> sn, cn, dn;   ///< at the start
+  Wide<T> k2, mc;       ///< k², 1 − k²
+  Wide<T> lambda;       ///< [1/s] of u
+  Wide<T> half_period;  ///< of u: 2K
+  Wide<T> rate;         ///< [rad/s] of ψ, and beside it per half period:
+  Wide<T> angle_per_half_period;
+  bool other_rate;  ///< which of the two characteristics: n (rate G/I_b) or N (rate G/I_a)
+  Wide<T> nu, C, r, w;
+};
+
 /// Free rotation of a body with three different moments, off its principal axes and off the
 /// separatrix. The unit vector m along L_P circles the axis e_a of the least moment where D2 < 0,
 /// of the greatest where D2 > 0; e_b is the other of the two. With u = u₀ + λt:
@@ -29,7 +49,7 @@ struct FreeInvariants {
 template <class T>
 class AsymmetricRotation {
  public:
-  AsymmetricRotation(const ScaledInertia<T>& inertia, const FreeInvariants<T>& invariants,
+  AsymmetricRotation(const AsymmetricPath<T>& path, const FreeInvariants<T>& invariants,
                      const Quaternion<T>& q_WP);
 
   /// All that it calls is inlined: it is most of what a state of a free body costs, and what the
@@ -49,9 +69,8 @@ class AsymmetricRotation {
   JacobiValues<T> start_;
   JacobiFunctions<T> jacobi_;
   T k2_, nu_, C_, r_, w_;
-  int a_;            ///< index of the axis circled, 0 or 2
-  bool turned_;      ///< m_a < 0: described after half a turn about e₂
-  bool other_rate_;  ///< which of the two characteristics: n (rate G/I_b) or N (rate G/I_a)
+  int a_;
+  bool turned_, other_rate_;
 };
 
 /// Free rotation exactly on the separatrix, D2 = 0: m goes once over from −e₂ to e₂,
@@ -79,6 +98,8 @@ class SeparatrixRotation {
   T u0_;
 };
 
+extern template struct AsymmetricPath<double>;
+extern template struct AsymmetricPath<long double>;
 extern template class AsymmetricRotation<double>;
 extern template class AsymmetricRotation<long double>;
 extern template class SeparatrixRotation<double>;

@@ -4,6 +4,16 @@
 
 namespace rigid_body_sim {
 
+BodyState flownFreely(const Body& body, const BodyState& start, double dt) {
+  BodyState state = start;
+  driftPosition(body.mass, dt, state);
+  const RotationState<double> rotation =
+      FreeTop<double>(body.I).after(dt, start.q_WP, start.L_P, start.L_W);
+  state.q_WP = rotation.q_WP;
+  state.L_P = rotation.L_P;
+  return state;
+}
+
 FreeFlight::FreeFlight(const Body& body, const Vector3d& f_W, const BodyState& start)
     : start_(start),
       f_W_(f_W),

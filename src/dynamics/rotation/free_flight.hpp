@@ -6,6 +6,10 @@
 
 namespace rigid_body_sim {
 
+/// The state of a body without any force dt [s] after a start, to rounding as by FreeFlight, which
+/// does too much for one evaluation.
+BodyState flownFreely(const Body& body, const BodyState& start, double dt);
+
 /// The motion of a body without torque under a constant force fixed in the world, from a start on:
 /// a parabola and the exact free rotation. Any time is one evaluation, nothing accumulates.
 ///   x = x₀ + (p₀/m) t + (f/m) t²/2,   p = p₀ + f t,   L = L₀
@@ -15,6 +19,9 @@ class FreeFlight {
   FreeFlight(const Body& body, const Vector3d& f_W, const BodyState& start);
 
   const BodyState& start() const { return start_; }
+  const Vector3d& force() const { return f_W_; }  ///< [N]
+  double mass() const { return mass_; }           ///< [kg]
+  const FreeRotation<double>& rotation() const { return rotation_; }
 
   /// The state dt [s] after the start.
   BodyState at(double dt) const;

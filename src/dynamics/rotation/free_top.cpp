@@ -58,18 +58,42 @@ AngularMomentum<T>::AngularMomentum(const Vector3<T>& L_P, const Vector3<T>& L_W
 template <class T>
 FreeTop<T>::FreeTop(const Vector3<T>& I) : kind_(inertiaKind(I)), inertia_(I) {}
 
+/// use: of a motion of most kinds; usePath(path, invariants): of three different moments in
+/// general.
+template <class T>
+template <class Use, class UsePath>
+auto FreeTop<T>::solve(const Quaternion<T>& q_WP, const Vector3<T>& L_P, const Vector3<T>& L_W,
+                       const Use& use, const UsePath& usePath) const {
+  const AngularMomentum<T> L(L_P, L_W);
+  if (kind_ == InertiaKind::spherical || onPrincipalAxis(L_P))
+    return use(steadyRotation(inertia_, q_WP, L_P, L));
+  if (kind_ == InertiaKind::symmetric) return use(SymmetricRotation<T>(inertia_, q_WP, L));
+  const FreeInvariants<T> invariants(inertia_, L);
+  if (invariants.D2 == Wide<T>(0)) return use(SeparatrixRotation<T>(inertia_, invariants, q_WP));
+  return usePath(AsymmetricPath<T>(inertia_, invariants), invariants);
+}
+
 template <class T>
 FreeRotation<T> FreeTop<T>::from(const Quaternion<T>& q_WP, const Vector3<T>& L_P,
                                  const Vector3<T>& L_W) const {
-  const AngularMomentum<T> L(L_P, L_W);
-  if (kind_ == InertiaKind::spherical || onPrincipalAxis(L_P))
-    return FreeRotation<T>(steadyRotation(inertia_, q_WP, L_P, L));
-  if (kind_ == InertiaKind::symmetric)
-    return FreeRotation<T>(SymmetricRotation<T>(inertia_, q_WP, L));
-  const FreeInvariants<T> invariants(inertia_, L);
-  if (invariants.D2 == Wide<T>(0))
-    return FreeRotation<T>(SeparatrixRotation<T>(inertia_, invariants, q_WP));
-  return FreeRotation<T>(AsymmetricRotation<T>(inertia_, invariants, q_WP));
+  const auto use = [](const auto& motion) { return FreeRotation<T>(motion); };
+  const auto usePath = [&q_WP](const AsymmetricPath<T>& path, const FreeInvariants<T>& invariants) {
+    if constexpr (std::is_same_v<T, double>)
+      if (const auto theta = ThetaRotation::of(path, invariants, q_WP))
+        return FreeRotation<T>(*theta);
+    return FreeRotation<T>(Boxed<AsymmetricRotation<T>>(std::in_place, path, invariants, q_WP));
+  };
+  return solve(q_WP, L_P, L_W, use, usePath);
+}
+
+template <class T>
+RotationState<T> FreeTop<T>::after(T dt, const Quaternion<T>& q_WP, const Vector3<T>& L_P,
+                                   const Vector3<T>& L_W) const {
+  const auto use = [dt](const auto& motion) { return motion.at(dt); };
+  const auto usePath = [&](const AsymmetricPath<T>& path, const FreeInvariants<T>& invariants) {
+    return AsymmetricRotation<T>(path, invariants, q_WP).at(dt);
+  };
+  return solve(q_WP, L_P, L_W, use, usePath);
 }
 
 template struct ScaledInertia<double>;

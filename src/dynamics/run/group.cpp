@@ -24,7 +24,7 @@ double eventPrecision(const System& system) {
 Group::Group(const World& world, const LawTable& laws, const CoupledBodies& bodies,
              const MethodChoice& choice, double t, std::vector<BodyState> start,
              const std::vector<double>& law_states, const std::vector<WrenchSchedule>& schedules)
-    : bodies_(bodies), t_(t), present_{std::move(start), {}}, solved_choice_(choice) {
+    : bodies_(bodies), present_{std::move(start), {}}, solved_choice_(choice), t_(t) {
   const ErrorBound tolerance{world.solver.tolerance, world.solver.horizon};
   if (world.solver.tolerance_stated) bound_ = tolerance;
   system_.g_W = world.g_W;

@@ -6,6 +6,7 @@
 
 #include <rigid_body_sim/dynamics/world.hpp>
 
+#include "dynamics/packs/flight_kernels.hpp"
 #include "dynamics/packs/packs.hpp"
 #include "dynamics/run/coupling.hpp"
 #include "dynamics/run/stepper.hpp"
@@ -48,6 +49,21 @@ class Group {
   /// The state of member k at a time t from the present to knownUntil().
   BodyState at(double t, std::size_t k) const {
     return solved_ && t != t_ ? solved_->at(t) : present_.bodies[k];
+  }
+
+  /// The same of a free flight, which a batch may write later; returns false where it is none.
+  bool readFlight(double t, FlightBatch& batch, BodyState& state) const {
+    const FreeFlight* flight = solved_ && t != t_ ? solved_->asFlight() : nullptr;
+    if (flight) batch.read(*flight, t - solved_->anchoredAt(), state);
+    return flight != nullptr;
+  }
+
+  /// Asks the memory for what readFlight reads, a while before.
+  void announceRead() const {
+    constexpr std::size_t kLine = 64;
+    const auto* first = reinterpret_cast<const char*>(&t_);
+    const auto* end = reinterpret_cast<const char*>(&solved_ + 1);
+    for (const char* line = first; line < end; line += kLine) __builtin_prefetch(line);
   }
 
   /// How its members move and accelerate at a time t from the present to knownUntil(), in the order
@@ -156,11 +172,11 @@ class Group {
   CoupledBodies bodies_;
   std::vector<std::size_t> stateful_laws_;  // indices in the world, in the order of the system's
   System system_;
-  double t_;             // [s] of present_
   SystemState present_;  // of a solved motion: at its anchor, or later
   SystemState next_;
   std::optional<Stepper> stepper_;      // none where the motion is solved
   MethodChoice solved_choice_;          // likewise
+  double t_;                            // [s] of present_
   std::optional<SolvedMotion> solved_;  // since the last event; empty before it is needed
   /// The motion as a step found it, once it has changed that: its anchor, or none.
   struct Kept {

@@ -9,7 +9,7 @@ void Groups::clear(std::size_t bodies) {
   groups_.clear();
   known_until_.clear();
   group_of_.assign(bodies, 0);
-  member_of_.assign(bodies, 0);
+  member_of_.assign(bodies, kNone);
   removed_ = {};
 }
 

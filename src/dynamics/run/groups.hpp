@@ -40,6 +40,9 @@ class Groups {
   /// Of a body that moves: the index of its group, and its own among the members.
   std::size_t indexOf(std::size_t body) const { return group_of_[body]; }
   std::size_t memberOf(std::size_t body) const { return member_of_[body]; }
+  /// Whether a body moves, and so has a group.
+  bool has(std::size_t body) const { return member_of_[body] != kNone; }
+
   Group& of(std::size_t body) { return groups_[group_of_[body]]; }
   const Group& of(std::size_t body) const { return groups_[group_of_[body]]; }
 
@@ -80,6 +83,8 @@ class Groups {
   std::int64_t evaluations() const;
 
  private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
   void erase(std::size_t g);
   static double knownOrRest(const Group& group, const std::vector<WrenchSchedule>& schedules) {
     return group.isAtRest() ? group.restsUntil(schedules) : group.knownUntil(schedules);
@@ -88,7 +93,7 @@ class Groups {
   std::vector<Group> groups_;
   std::vector<double> known_until_;     // Group's, index by index
   std::vector<std::size_t> group_of_;   // body -> index in groups_; ignored for a fixed body
-  std::vector<std::size_t> member_of_;  // body -> index among the members of its group; likewise
+  std::vector<std::size_t> member_of_;  // body -> index among the members of its group; else kNone
   Counts removed_;
 };
 

@@ -26,8 +26,19 @@ std::vector<BodySchedule> Run::scheduleEntries() const {
 void Run::readBodies(std::vector<BodyState>& states) const {
   states.resize(now_.world->bodies.size());
   now_.packs.copyTo(states);
-  for (std::size_t i = 0; i < states.size() && now_.packs.size() < states.size(); ++i)
-    if (!now_.packs.holds(i)) states[i] = body(i);
+  if (now_.packs.size() == states.size()) return;
+  FlightBatch batch;
+  constexpr std::size_t kAhead = 8;  // bodies
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const std::size_t ahead = std::min(i + kAhead, states.size() - 1);
+    if (now_.groups.has(ahead)) now_.groups.of(ahead).announceRead();
+    if (now_.packs.holds(i)) continue;
+    if (!now_.groups.has(i))
+      states[i] = now_.start->bodies[i];
+    else if (!now_.groups.of(i).readFlight(now_.time, batch, states[i]))
+      states[i] = now_.groups.at(i, now_.time);
+  }
+  batch.finish();
 }
 
 State Run::state() const {

@@ -7,9 +7,9 @@
 #include "dynamics/medium/medium_segment.hpp"
 #include "dynamics/rotation/free_flight.hpp"
 #include "dynamics/run/axial_flight.hpp"
-#include "dynamics/run/boxed.hpp"
 #include "dynamics/step_too_long.hpp"
 #include "dynamics/taylor/driven_segment.hpp"
+#include "math/boxed.hpp"
 
 namespace rigid_body_sim {
 
@@ -52,6 +52,10 @@ class SolvedMotion {
     return std::holds_alternative<FreeFlight>(motion_) ||
            std::holds_alternative<AxialFlight>(motion_);
   }
+
+  /// The flight that it is, begun at anchoredAt() [s]; null where it is another motion.
+  const FreeFlight* asFlight() const { return std::get_if<FreeFlight>(&motion_); }
+  double anchoredAt() const { return anchor_; }
 
   /// The state at a time [s] between the anchor and validUntil().
   BodyState at(double t) const;
