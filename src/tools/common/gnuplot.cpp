@@ -1,7 +1,11 @@
 #include "tools/common/gnuplot.hpp"
 
+#include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <fstream>
 #include <stdexcept>
 
 #include "programs/usage.hpp"
@@ -22,11 +26,37 @@ std::string pictureDirectory(const std::string& option, const std::string& path)
   return path;
 }
 
+namespace {
+
+/// What gnuplot cannot write it draws on the standard output.
+void requireWritable(const std::string& picture) {
+  std::FILE* file = std::fopen(picture.c_str(), "ab");
+  if (!file) throw std::runtime_error(picture + ": cannot be written: " + std::strerror(errno));
+  std::fclose(file);
+}
+
+/// Of a disk that is full gnuplot says nothing.
+bool isWhole(const std::string& picture) {
+  constexpr std::streamoff kTail = 16;
+  std::ifstream in(picture, std::ios::binary | std::ios::ate);
+  if (!in || in.tellg() < kTail) return false;
+  in.seekg(-kTail, std::ios::end);
+  std::array<char, kTail> tail{};
+  in.read(tail.data(), kTail);
+  return std::string(tail.data(), kTail).find("</svg>") != std::string::npos;
+}
+
+}  // namespace
+
 void runGnuplot(const std::string& script, const std::string& picture) {
+  requireWritable(picture);
   std::FILE* gnuplot = popen("gnuplot", "w");
   if (!gnuplot) throw std::runtime_error("gnuplot cannot be started");
   std::fputs(script.c_str(), gnuplot);
   if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot could not draw " + picture);
+  if (!isWhole(picture))
+    throw std::runtime_error(picture +
+                             ": ends before the end of the picture; is there room on the disk?");
 }
 
 std::string gnuplotText(const std::string& text) {

@@ -116,6 +116,8 @@ void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::str
     tables.push_back({path, files.shard, std::ifstream(path, std::ios::binary)});
     if (!std::getline(tables.back().in, line)) throw std::runtime_error(path + ": cannot be read");
     if (index == 1) header = line;
+    if (line != header)
+      throw std::runtime_error(path + ":1: has other columns than " + tables.front().path);
   }
   RunTable merged = RunTable::create(out, header);
   std::string rows;

@@ -4,9 +4,11 @@
 #include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 #include "programs/formatted.hpp"
 #include "scene/files/number_text.hpp"
+#include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -47,11 +49,22 @@ SweepSummary columnsOf(const SweepInfo& info, const std::vector<std::string>& na
   return summary;
 }
 
-void addRow(const std::vector<std::pair<const char*, const char*>>& fields, SweepSummary& summary,
-            std::vector<double>& inputs) {
-  static const std::string done = "done";
+/// Whether a run has a result. Throws std::runtime_error for a status that no sweep writes.
+bool isDone(std::string_view status, const std::string& place) {
+  if (status == "done") return true;
+  if (status.rfind("refused: ", 0) == 0 || status.rfind("diverged: ", 0) == 0) return false;
+  throw std::runtime_error(place + ": status must be done, refused: or diverged: with why, got '" +
+                           printable(std::string(status)) +
+                           "'; somebody has changed the table: make its runs anew");
+}
+
+void addRow(const std::vector<std::pair<const char*, const char*>>& fields, const std::string& path,
+            SweepSummary& summary, std::vector<double>& inputs) {
   ++summary.rows;
-  if (std::string(fields.back().first, fields.back().second) != done) return;
+  const auto& [begin, end] = fields.back();
+  if (!isDone({begin, static_cast<std::size_t>(end - begin)},
+              path + ":" + std::to_string(summary.rows + 1)))
+    return;
   ++summary.done;
   inputs.clear();
   for (std::size_t i = 0; i < summary.varied.size(); ++i) {
@@ -125,7 +138,7 @@ SweepSummary summarise(const std::string& path, const SweepInfo& info) {
       throw std::runtime_error(path + ":" + std::to_string(summary.rows + 2) + ": must have " +
                                std::to_string(names.size()) + " fields, got " +
                                std::to_string(fields.size()));
-    addRow(fields, summary, inputs);
+    addRow(fields, path, summary, inputs);
   }
   return summary;
 }

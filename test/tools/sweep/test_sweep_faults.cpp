@@ -191,6 +191,31 @@ TEST(SweepProgram, LeavesATableAloneThatAnotherSweepIsWriting) {
   EXPECT_EQ(sweep(command + " --seed 4").exit_code, 0);
 }
 
+TEST(SweepProgram, SaysWhereThePlotCannotBeWritten) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", test::kPushedBall);
+  const std::string study =
+      files.written("study.yaml", "runs: 5\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
+  const std::string svg = files.path("out/sweep.svg");
+  const std::string command = scene + " " + study + " --out " + files.path("out");
+  ASSERT_EQ(test::runCommand("mkdir -p " + svg).exit_code, 0);
+  const auto lastLine = [](const std::string& text) {
+    return text.substr(text.rfind('\n', text.size() - 2) + 1);
+  };
+  const test::Outcome taken = sweep(command);
+  EXPECT_EQ(taken.exit_code, 1);
+  EXPECT_EQ(lastLine(taken.out), "sweep: " + svg + ": cannot be written: Is a directory\n");
+  EXPECT_EQ(taken.out.find("svg>"), std::string::npos) << taken.out;
+  ASSERT_EQ(test::runCommand("rmdir " + svg).exit_code, 0);
+  // of all files the plot alone has more than 16 kB
+  const test::Outcome full = test::runCommand(
+      "bash -c 'trap \"\" XFSZ; ulimit -f 16; " RIGID_BODY_SIM_SWEEP " " + command + " 2>&1'");
+  EXPECT_EQ(full.exit_code, 1) << full.out;
+  EXPECT_EQ(lastLine(full.out),
+            "sweep: " + svg + ": ends before the end of the picture; is there room on the disk?\n");
+  EXPECT_EQ(sweep(command).exit_code, 0);
+}
+
 // Neither is there a row to lose, nor do old ones say of what sweep they are.
 TEST(SweepProgram, ResumesWhereATableHasNoRows) {
   const TemporaryDirectory files;

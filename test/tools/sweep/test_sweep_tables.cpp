@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tools/sweep/sweep_bench.hpp"
+
+/// Tables that somebody has changed.
+namespace rigid_body_sim {
+
+// As many rows as there should be, one of them that of another run.
+TEST(SweepProgram, GoesOnWithNoTableThatSomebodyHasChanged) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", test::kPushedBall);
+  const std::string study =
+      files.written("study.yaml", "runs: 6\nvary: {bodies.ball.mass: {list: [1, 2]}}");
+  const std::string out = files.path("out");
+  const std::string command = scene + " " + study + " --out " + out;
+  const std::string no_plot = "PATH=/nonexistent";
+  ASSERT_EQ(test::sweep(command, no_plot).exit_code, 0);
+  for (const char* name : {"runs", "fan"}) {
+    const std::string table = out + "/" + name + ".csv", rows = test::fileText(table);
+    const std::size_t second = rows.find("\n1,") + 1, third = rows.find("\n2,") + 1;
+    // the row of run 1 is gone, and run 2 there twice
+    const std::string changed = rows.substr(0, second) +
+                                rows.substr(third, rows.find("\n3,") + 1 - third) +
+                                rows.substr(third);
+    files.written("out/" + std::string(name) + ".csv", changed);
+    for (const std::string& arguments : {command + " --resume", "merge " + out}) {
+      const test::Outcome run = test::sweep(arguments);
+      EXPECT_EQ(run.exit_code, 1);
+      EXPECT_EQ(run.out.find("sweep: " + table + ":3: must be the row of run 1, got '2,"), 0U)
+          << run.out;
+      EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1) << run.out;
+      EXPECT_EQ(test::fileText(table), changed);
+      EXPECT_FALSE(std::ifstream(table + ".part").good());
+    }
+    ASSERT_EQ(test::sweep(command, no_plot).exit_code, 0);
+  }
+  // as a program leaves it that writes the ends of lines in its own way
+  std::string rows = test::fileText(out + "/runs.csv");
+  const std::string done = ",done\n";
+  rows.replace(rows.find(done), done.size(), ",done\r\n");
+  files.written("out/runs.csv", rows);
+  EXPECT_EQ(
+      test::sweep("merge " + out).out.find("sweep: " + out + "/runs.csv:2: status must be done, "),
+      0U);
+  ASSERT_EQ(remove((out + "/runs.info").c_str()), 0);
+  EXPECT_EQ(test::sweep(command + " --resume").out,
+            "sweep: " + out + "/runs.csv: of which sweep it is would stand in " + out +
+                "/runs.info, which is not there; remove the table, or leave --resume out\n");
+}
+
+}  // namespace rigid_body_sim
