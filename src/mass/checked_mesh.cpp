@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -60,6 +61,9 @@ std::string volumeFault(const TriangleMesh& mesh) {
   const double mesh_volume = volume(mesh), mesh_area = surfaceArea(mesh);
   if (mesh_volume > 0 && !isFlat(mesh_volume, mesh_area, diameter(mesh.vertices))) return {};
   std::ostringstream fault;
+  if (!std::isfinite(mesh_volume) || !std::isfinite(mesh_area))
+    return "mesh must have a volume and a surface that are finite numbers; a smaller scale is "
+           "needed";
   fault << "mesh must enclose a volume, got " << shortest(mesh_volume)
         << " m^3 within a surface of " << shortest(mesh_area) << " m^2";
   return fault.str();

@@ -8,8 +8,19 @@
 
 namespace rigid_body_sim {
 
-StepWatch::StepWatch(std::function<void(const std::string&)> say, double patience)
-    : say_(std::move(say)), patience_(patience), thread_([this] { watch(); }) {}
+StepWatch::StepWatch(std::function<void(const std::string&)> say, double patience, What what)
+    : say_(std::move(say)),
+      patience_(patience),
+      what_(std::move(what)),
+      thread_([this] { watch(); }) {}
+
+std::string StepWatch::step(double t) {
+  if (t == kBeforeTheRun)
+    return "led to the first step: files are large, or integrators are tried on a fast motion";
+  return "ended the step from t = " + shortest(t) +
+         " s: something is far faster than the time_step; if it cannot be followed, a line will "
+         "say what";
+}
 
 StepWatch::~StepWatch() {
   {
@@ -33,15 +44,8 @@ void StepWatch::watch() {
     same = is_same ? same + 1 : 0;
     seen = begun;
   }
-  const double t = time_.load(std::memory_order_relaxed);
-  const std::string begin = formatted("%.3g s of computing have not ", patience_);
-  if (t == kBeforeTheRun)
-    say_(begin +
-         "led to the first step: files are large, or integrators are tried on a fast motion");
-  else
-    say_(begin + "ended the step from t = " + shortest(t) +
-         " s: something is far faster than the time_step; if it cannot be followed, a line will "
-         "say what");
+  say_(formatted("%.3g s of computing have not ", patience_) +
+       what_(time_.load(std::memory_order_relaxed)));
 }
 
 }  // namespace rigid_body_sim

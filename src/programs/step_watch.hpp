@@ -14,8 +14,13 @@ namespace rigid_body_sim {
 /// a user waits without a word. Results do not depend on it.
 class StepWatch {
  public:
+  /// What has not been done, "ended the step from t = 0.1 s: …", by what begin or goOn was given.
+  using What = std::function<std::string(double)>;
+  static std::string step(double t);
+
   /// say(text): called by a thread of its own. patience [s] of wall time.
-  explicit StepWatch(std::function<void(const std::string&)> say, double patience = 10);
+  explicit StepWatch(std::function<void(const std::string&)> say, double patience = 10,
+                     What what = step);
   ~StepWatch();
   StepWatch(const StepWatch&) = delete;
   StepWatch& operator=(const StepWatch&) = delete;
@@ -29,6 +34,9 @@ class StepWatch {
     is_busy_.store(true, std::memory_order_relaxed);
   }
 
+  /// The same as before is still computed, and has come as far as that.
+  void goOn(double t) { time_.store(t, std::memory_order_relaxed); }
+
   /// Nothing is computed from now on.
   void end() { is_busy_.store(false, std::memory_order_relaxed); }
 
@@ -37,6 +45,7 @@ class StepWatch {
 
   std::function<void(const std::string&)> say_;
   double patience_;
+  What what_;
   std::atomic<double> time_{0};
   std::atomic<std::uint64_t> begun_{0};
   std::atomic<bool> is_busy_{false};

@@ -61,6 +61,23 @@ TEST(SlowRunNotice, NamesSubstepsAndShortSteps) {
   EXPECT_NE(many.textIfDue(fine).find("it takes many steps of 1e-06 s"), std::string::npos);
 }
 
+TEST(SlowRunNotice, NamesTheBodyThatDragSlowsDownFastest) {
+  Simulation simulation = simulationOfScene(R"(
+time_step: 1
+gravity: [0, 0, -9.81]
+bodies:
+  - {name: ball, shape: {sphere: {radius: 1}}, mass: 2, drag: {quadratic: 0.1}}
+  - {name: leaf, shape: {sphere: {radius: 1}}, mass: 2, drag: {linear: [100, 100, 100]},
+     twist: {frame: world, angular: [0, 0, 1]}, position: [5, 0, 0]}
+)");
+  SlowRunNotice notice(10, kAtOnce);
+  simulation.step();
+  const std::string text = notice.textIfDue(simulation);
+  EXPECT_NE(text.find("as short as drag is strong (it slows 'leaf' down at 50/s)"),
+            std::string::npos)
+      << text;
+}
+
 TEST(SlowRunNotice, ComesOnceAndNotBeforeItsTime) {
   Simulation simulation = simulationOfScene(kSpinUp);
   SlowRunNotice late(1e4, kNever), early(1e4, kAtOnce);

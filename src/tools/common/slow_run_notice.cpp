@@ -11,7 +11,7 @@ namespace {
 
 struct FastestBody {
   std::string name;
-  double rate = -1;  // [rad/s]
+  double rate = -1;  // [rad/s], [1/s]
 };
 
 FastestBody fastestBody(const Simulation& simulation) {
@@ -22,6 +22,33 @@ FastestBody fastestBody(const Simulation& simulation) {
     if (!moves(world.bodies[i])) continue;
     const double w = toBodyFrameMotion(world.bodies[i], state.bodies[i]).w_W.norm();
     if (w > fastest.rate) fastest = {world.bodies[i].name, w};
+  }
+  return fastest;
+}
+
+/// The body that drag slows down fastest.
+FastestBody mostDraggedBody(const Simulation& simulation) {
+  const World& world = simulation.world();
+  const State state = simulation.state();
+  std::vector<const Body*> bodies;
+  std::vector<double> speeds;  // [m/s]
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    bodies.push_back(&body);
+    speeds.push_back(moves(body) ? stableNorm(state.bodies[i].p_W) / body.mass : 0);
+  }
+  FastestBody fastest;
+  const double* own = state.laws.data();
+  for (const auto& law : world.laws) {
+    if (law->isOfMedium()) {
+      const std::size_t body = law->members().front();
+      std::vector<Stiffness> stiffness(bodies.size());
+      law->addStiffness(bodies, stiffness);
+      const double rate =
+          std::max(stiffness[body].decay, law->rate({bodies, state.bodies, own}, speeds));
+      if (rate > fastest.rate) fastest = {world.bodies[body].name, rate};
+    }
+    own += law->stateCount();
   }
   return fastest;
 }
@@ -40,7 +67,14 @@ std::string reasonOf(const Simulation& simulation) {
   if (simulation.maxSubsteps() > 1)
     return formatted("steps are divided into up to %d substeps to follow the motion (%s)",
                      simulation.maxSubsteps(), turns.c_str());
-  if (isSolved(simulation) && fastest.rate * h > 1)
+  const bool solved = isSolved(simulation);
+  const FastestBody dragged = solved ? mostDraggedBody(simulation) : FastestBody();
+  if (dragged.rate > fastest.rate && dragged.rate * h > 1)
+    return formatted(
+        "the motion is solved by series that are as short as drag is strong (it slows '%s' down at "
+        "%.3g/s); weaker drag makes that cheaper",
+        dragged.name.c_str(), dragged.rate);
+  if (solved && fastest.rate * h > 1)
     return formatted(
         "the motion is solved radian by radian (%s); a stated tolerance makes that "
         "cheaper",

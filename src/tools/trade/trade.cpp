@@ -10,9 +10,11 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 
 #include "programs/distinct_files.hpp"
+#include "programs/formatted.hpp"
 #include "programs/make_directory.hpp"
 #include "programs/run_program.hpp"
 #include "programs/standard_streams.hpp"
+#include "programs/step_watch.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
 #include "tools/common/gnuplot.hpp"
@@ -29,10 +31,31 @@ namespace {
 
 using Climb = decltype(climbLadder);
 
+/// Where the share of the work that is done is shown: a bar on terminals, a word after a while.
+struct Progress {
+  void show(double share) {
+    bar.show(share);
+    watch.goOn(share);
+  }
+
+  static std::string what(double share) {
+    if (share == 0)
+      return "led to a reference that settings can be measured against: the motion is fast";
+    return formatted("measured more than some %.0f %% of the settings: the motion is fast",
+                     100 * share);
+  }
+
+  ProgressBar bar{};
+  StepWatch watch{[](const std::string& text) {
+                    std::fprintf(stderr, "%s\n", noticeLine("trade", text).c_str());
+                  },
+                  10, what};
+};
+
 /// Every setting of every integrator, each written as soon as it is known.
 std::vector<Setting> measureAll(const World& world, const Reference& reference,
                                 const std::vector<std::string>& integrators, Climb& climb,
-                                TradeCsv& csv, ProgressBar& bar) {
+                                TradeCsv& csv, Progress& progress) {
   constexpr double kUsualLadder = 16;  // settings; for the bar only
   std::vector<Setting> settings;
   const auto count = static_cast<double>(integrators.size());
@@ -42,7 +65,7 @@ std::vector<Setting> measureAll(const World& world, const Reference& reference,
       csv.write(setting);
       settings.push_back(setting);
       done = std::min(1.0, done + 1 / kUsualLadder);
-      bar.show((1 + static_cast<double>(i) + done) / (1 + count));
+      progress.show((1 + static_cast<double>(i) + done) / (1 + count));
     };
     climb(world, reference, integrators[i], measured, Patience{});
   }
@@ -75,17 +98,18 @@ Trade measureTrade(const TradeOptions& options) {
   for (const std::string& notice : scene.notices)
     std::fprintf(stderr, "%s\n", noticeLine("trade", notice).c_str());
 
-  ProgressBar bar;
-  bar.show(0);
+  Progress progress;
+  progress.show(0);
+  progress.watch.begin(0);
   Trade trade;
   trade.scene = options.scene;
   trade.present = world.solver;
   trade.error_budget = options.error_budget.value_or(scene.tolerance);
   trade.reference = contact ? contactReference(world, first, duration, trade.error_budget)
                             : computeReference(world, first, duration);
-  bar.show(1 / (1 + static_cast<double>(integrators.size())));
+  progress.show(1 / (1 + static_cast<double>(integrators.size())));
   trade.settings = measureAll(world, trade.reference, integrators,
-                              contact ? climbTolerances : climbLadder, csv, bar);
+                              contact ? climbTolerances : climbLadder, csv, progress);
   sortLadders(trade.settings);
   return trade;
 }
