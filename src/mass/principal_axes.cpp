@@ -24,14 +24,17 @@ bool isNegligible(const Matrix3<Real>& D, int p, int q) {
 
 /// Columns of R reordered so that the moments ascend; one column turned round where that keeps R
 /// right-handed.
-PrincipalAxes ascending(const Vector3<Real>& I, const Matrix3<Real>& R) {
+template <class T>
+PrincipalAxes ascending(const Vector3<T>& I, const Matrix3<T>& R) {
   std::array<int, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return I(a) < I(b); });
+  // stable, and without the memory that stable_sort takes
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return I(a) < I(b) || (!(I(b) < I(a)) && a < b); });
   PrincipalAxes axes;
   for (int k = 0; k < 3; ++k) {
     const int column = order[static_cast<std::size_t>(k)];
     axes.I(k) = static_cast<double>(I(column));
-    axes.R_BP.col(k) = R.col(column).cast<double>();
+    axes.R_BP.col(k) = R.col(column).template cast<double>();
   }
   // subtracted from zero, not negated: leaves no −0 among the entries
   if (axes.R_BP.determinant() < 0) axes.R_BP.col(2) = Vector3d::Zero() - axes.R_BP.col(2);
@@ -41,6 +44,9 @@ PrincipalAxes ascending(const Vector3<Real>& I, const Matrix3<Real>& R) {
 }  // namespace
 
 PrincipalAxes principalAxes(const Matrix3d& symmetric) {
+  // that of a shape: nothing is rotated, and no number rounded
+  if (symmetric.isDiagonal(0) && symmetric.allFinite())
+    return ascending<double>(symmetric.diagonal(), Matrix3d::Identity());
   Matrix3<Real> D = symmetric.cast<Real>();
   D = ((D + D.transpose()) / 2).eval();
   Matrix3<Real> R = Matrix3<Real>::Identity();
@@ -60,7 +66,7 @@ PrincipalAxes principalAxes(const Matrix3d& symmetric) {
     }
     if (!rotated) break;
   }
-  return ascending(D.diagonal(), R);
+  return ascending<Real>(D.diagonal(), R);
 }
 
 }  // namespace rigid_body_sim

@@ -36,10 +36,11 @@ struct TaylorPull {
 /// What the recursion starts from: ω' = gyroscopic ω ω + steady + turning · (products of q) + …
 template <class T>
 struct TaylorEquations {
-  T gyroscopic[4];  ///< (I₂ − I₃)/I₁ and cyclic: ω₁' = gyroscopic₁ ω₂ ω₃
-  T steady[4];      ///< the part of ω' that the attitude does not change
-  T turning[9][4];  ///< I⁻¹ × the torque that comes with each product of components of q:
-                    ///< xx, yy, zz, xy, yz, zx, wx, wy, wz
+  T gyroscopic[4];    ///< (I₂ − I₃)/I₁ and cyclic: ω₁' = gyroscopic₁ ω₂ ω₃
+  T steady[4];        ///< the part of ω' that the attitude does not change
+  T turning[9][4];    ///< I⁻¹ × the torque that comes with each product of components of q:
+                      ///< xx, yy, zz, xy, yz, zx, wx, wy, wz
+  bool turns = true;  ///< false: all of `turning` is zero
   const TaylorPull<T>* pull = nullptr;  ///< null: no forces act at points of the world
 };
 

@@ -117,6 +117,12 @@ class NewestTurn {
   Lanes<T> of_q_x_, of_q_y_, of_q_z_;
 };
 
+/// Where nothing turns with the attitude.
+struct NoTurning {
+  template <class Equations, class Q>
+  RIGID_BODY_SIM_INLINE NoTurning(const Equations&, const Q&) {}
+};
+
 /// What turns with the attitude in ω'.
 template <class T>
 class Turning {

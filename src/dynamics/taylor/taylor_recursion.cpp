@@ -21,8 +21,10 @@ decltype(auto) pullOf(const TaylorEquations<T>& equations) {
     return 0;
 }
 
+/// Turns: whether moments turn with the attitude; else no more than the products of q are wanted.
 /// drive: a TaylorDrive, or anything where there is none.
-template <class T, bool kTurned, bool kPulled, bool kDriven = false, class Drive = const int>
+template <class T, bool kTurned, bool kTurns, bool kPulled, bool kDriven = false,
+          class Drive = const int>
 RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size_t degree,
                                   TaylorSeries<T>& series, Drive& given_drive = kNoDrive) {
   Lanes<T> gyroscopic, steady;
@@ -38,7 +40,7 @@ RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size
   load<T>(series.q[0], q);
   arranged.add(0, w, q);
   const NewestTurn<T> turn(w, arranged);
-  const Turning<T> turning(equations, q);
+  [[maybe_unused]] std::conditional_t<kTurns, Turning<T>, NoTurning> turning(equations, q);
   for (std::size_t k = 0; k < degree; ++k) {
     const T inverse = kInverse<T>[k + 1];
     if (k > 0) arranged.add(k, w, q);
@@ -46,12 +48,16 @@ RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size
     Lanes<T> w_dot = p.ww + arranged.w_yzx[0] * arranged.w_zxy[k];
     if (k > 0) w_dot += arranged.w_yzx[k] * arranged.w_zxy[0];
     w_dot = gyroscopic * w_dot;
-    if constexpr (kTurned) {
+    if constexpr (kTurns) {
       Lanes<T> older, newest;
       turning.older(p, older);
       turning.newest(q, k, newest);
       if (k == 0) older += steady;
       w_dot = older + (w_dot + newest);
+    } else if (kTurned && k == 0) {
+      w_dot += steady;
+    }
+    if constexpr (kTurned) {
       p.addNewest(arranged, k);
       store<T>(p.squares * inverse, series.squares[k + 1]);
       store<T>(p.crosses * inverse, series.crosses[k + 1]);
@@ -80,11 +86,13 @@ template <class T>
 RIGID_BODY_SIM_INLINE void expandAsAsked(const TaylorEquations<T>& equations, bool turned,
                                          std::size_t degree, TaylorSeries<T>& series) {
   if (equations.pull)
-    expand<T, true, true>(equations, degree, series);
+    expand<T, true, true, true>(equations, degree, series);
+  else if (turned && equations.turns)
+    expand<T, true, true, false>(equations, degree, series);
   else if (turned)
-    expand<T, true, false>(equations, degree, series);
+    expand<T, true, false, false>(equations, degree, series);
   else
-    expand<T, false, false>(equations, degree, series);
+    expand<T, false, false, false>(equations, degree, series);
 }
 
 template <class T>
@@ -92,9 +100,9 @@ RIGID_BODY_SIM_INLINE void expandDrivenAsAsked(const TaylorEquations<T>& equatio
                                                TaylorDrive<T>& drive, std::size_t degree,
                                                TaylorSeries<T>& series) {
   if (equations.pull)
-    expand<T, true, true, true>(equations, degree, series, drive);
+    expand<T, true, true, true, true>(equations, degree, series, drive);
   else
-    expand<T, true, false, true>(equations, degree, series, drive);
+    expand<T, true, true, false, true>(equations, degree, series, drive);
 }
 
 /// Horner's rule without the constant term.

@@ -172,6 +172,7 @@ void TaylorSegmentT<T>::setUpEquations() {
                                        : Vector3<T>(y, -x, t);
     return inv_I_.cwiseProduct(torque);
   };
+  e.turns = !tau_W_.isZero(0) || !moments_.isZero(0);
   const Vector3<T> xx = column(0, 0), yy = column(1, 1), zz = column(2, 2);
   assign(e.steady, inv_I_.cwiseProduct(tau_P_) + (xx + yy + zz));
   assign(e.turning[0], T(-2) * (yy + zz));

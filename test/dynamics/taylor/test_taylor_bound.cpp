@@ -108,4 +108,26 @@ TEST(TaylorRecursion, GivesTheSameBitsOnWideAndNarrowLanes) {
   }
 }
 
+TEST(TaylorRecursion, GivesTheSameNumbersWithoutMomentsThatAreZero) {
+  Draw draw(4);
+  for (int i = 0; i < 20; ++i) {
+    TaylorEquations<double> equations{};
+    TaylorSeries<double> with, without;
+    for (auto* lanes : {&equations.gyroscopic, &equations.steady, &with.w[0], &with.q[0]})
+      for (double& lane : *lanes) lane = draw.uniform(-1, 1);
+    without = with;
+    const std::size_t degree = 7 + static_cast<std::size_t>(i) % 14;
+    equations.turns = true;
+    expandTaylor(equations, true, degree, with);
+    equations.turns = false;
+    expandTaylor(equations, true, degree, without);
+    for (std::size_t k = 1; k <= degree; ++k)
+      for (int lane = 0; lane < 4; ++lane) {
+        EXPECT_EQ(with.w[k][lane], without.w[k][lane]);
+        EXPECT_EQ(with.q[k][lane], without.q[k][lane]);
+        EXPECT_EQ(with.turns[k][lane], without.turns[k][lane]);
+      }
+  }
+}
+
 }  // namespace rigid_body_sim
