@@ -106,7 +106,8 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     step = takeEstimatedStep(system, step, states, next);
     scratch_.step_bound = workspace_.step_bound;
     const MotionPiece piece(system, *choice_.method, start, 0, step, scratch_);
-    const double length = events_.firstEvent(piece, start, states);
+    const CubicBetween cubic(start, states, workspace_, step);
+    const double length = events_.firstEvent(piece, start, states, &cubic);
     visit(system, t + done, length, start, meter);
     done = length == left ? h : done + length;
     bool stops = done < h && isBeyond(states);
