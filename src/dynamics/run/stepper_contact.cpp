@@ -95,10 +95,12 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
                                Meter& meter) {
   if (at_rest_) return false;
   workspace_.step_bound = contactBound();
+  const std::int64_t evaluated = evaluations();
+  const auto bodies = static_cast<double>(system.bodies.size());
   double done = 0, next = h;
-  constexpr int kMaxSubsteps = 10000000;
-  for (int taken = 0; done < h; ++taken) {
-    if (taken == kMaxSubsteps) throw StepTooLong("a step in contact takes more than 1e7 substeps");
+  while (done < h) {
+    if (static_cast<double>(evaluations() - evaluated) * bodies > choice_.contact_work)
+      throw StepTooLong(tooMuchContact(choice_.contact_work));
     const double left = h - done;
     double step = std::min({left, next, longestStep(system, h, states)});
     if (step < left && step > 0.5 * left) step = 0.5 * left;  // no sliver at the end
