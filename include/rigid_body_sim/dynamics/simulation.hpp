@@ -35,8 +35,9 @@ struct ErrorEstimate {
 /// scene is run up to its horizon beside a run whose bounds are 100 times looser. Where the two
 /// part by more than the tolerance, it is tried anew at bounds 100 times tighter, down to 1e-14;
 /// below, rounding decides. Its work is bounded, to tenths of a second; where that ends before a
-/// tenth of the time up to the horizon, the bound stays what it was at first. It is done where the
-/// scene states a tolerance.
+/// tenth of the time up to the horizon, the bound stays what it was at first. The two are compared
+/// after every step, and at 32 instants up to the horizon at least. It is done where the scene
+/// states a tolerance.
 struct ContactTrial {
   double step_bound = 0;  ///< what the error estimate of a step in contact may reach
   /// [s] Since when the tolerance was exceeded at that bound; infinite where it was not.
@@ -44,6 +45,8 @@ struct ContactTrial {
   /// [s] Up to when the scene was tried, at that bound or a tighter one; the start where it was
   /// not.
   double tried_until = 0;
+  bool is_made = false;   ///< whether it was tried
+  bool compares = false;  ///< and came so far that the two runs were compared
 };
 
 /// Advances a world by its fixed time step. Time is step count × step, never accumulated.

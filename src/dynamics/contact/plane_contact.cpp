@@ -95,6 +95,10 @@ double PlaneContact::rate(const Bodies& at, const std::vector<double>& /*speeds*
 
 double PlaneContact::reach(const Bodies& at) const { return std::abs(poseOf(at).height) + reach_; }
 
+double PlaneContact::buriedBy(const BodyState& state) const {
+  return -plane_.n_W.dot(state.x_W + state.x_low_W - plane_.half_space.origin_W) - reach_;
+}
+
 bool PlaneContact::admits(const double* own) const {
   for (std::size_t k = 0; k < patches_.size(); ++k)
     if (!Patch::admits(own + k * Patch::kOwnCount)) return false;

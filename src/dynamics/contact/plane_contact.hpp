@@ -41,6 +41,13 @@ class PlaneContact final : public ContactLaw {
   void addContactEvents(const Bodies& at, const double* before,
                         std::vector<ContactEvent>& events) const override;
 
+  /// [m] How far a sphere about the centre of mass that holds all of it lies below the plane; not
+  /// above zero where some of it may reach out.
+  double buriedBy(const BodyState& state) const;
+
+  /// The body of the plane, or kWorld.
+  std::size_t planeBody() const { return plane_.half_space.body; }
+
  private:
   Patch::Pose poseOf(const Bodies& at) const {
     return {*at.bodies[body_], at.states[body_], plane_};

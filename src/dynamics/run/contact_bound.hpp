@@ -1,6 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
+
+#include "math/shortest.hpp"
 
 namespace rigid_body_sim {
 
@@ -9,6 +12,20 @@ constexpr double kTightestInContact = 1e-10;
 
 /// The least bound on the error estimate of a step in contact; below it, rounding would decide.
 constexpr double kLeastContactBound = 1e-14;
+
+/// Evaluations of all forces on a body that a time step may take in contact: a thousand times what
+/// stiff contact takes, and minutes at most.
+constexpr double kMostContactWork = 3e8;
+inline double mostContactWork(double time_step) {
+  constexpr double kPerSecond = 1e9, kLeast = 1e7;
+  return std::clamp(kPerSecond * time_step, kLeast, kMostContactWork);
+}
+
+/// What is said of a step that would take more.
+inline std::string tooMuchContact(double work) {
+  return "a step in contact takes more than " + shortest(work) +
+         " evaluations of the forces on a body: take a shorter time_step, or a lower stiffness";
+}
 
 /// By how much looser that bound is in the run that estimates the error.
 constexpr double kCompanionShare = 100;

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "dynamics/run/contact_bound.hpp"
 #include "dynamics/run/error_tracker.hpp"
@@ -10,36 +14,89 @@ namespace rigid_body_sim {
 namespace {
 
 /// Steps and evaluations of a body for all trials of a scene: tenths of a second.
-constexpr double kMostWork = 3e5;
+constexpr double kMostWork = 5e5;
 
 /// Of the time up to the horizon: what is known of less is no reason to make every step dearer.
 constexpr double kLeastShare = 0.1;
 
-double largestGroup(const Run& run) {
-  std::size_t largest = 1;
-  for (const Group& group : run.now().groups.all())
-    largest = std::max(largest, group.members().size());
-  return static_cast<double>(largest);
-}
+/// Up to the horizon, at least, at which two runs are compared, however long the steps.
+constexpr double kFewestInstants = 32;
 
-/// Follows a run up to the horizon, beside the one that estimates its error, until the tolerance is
-/// exceeded or the work is done.
-ContactTrial follow(Run run, double bound, double& work) {
-  const double horizon = run.now().world->solver.horizon;
-  const auto bodies = static_cast<double>(run.now().groups.size());
-  ErrorTracker error(run);
-  try {
-    while (run.now().time < horizon && work < kMostWork && std::isinf(error.estimate().lost_at)) {
-      const std::int64_t evaluations = run.now().groups.evaluations();
-      run.step();
-      error.follow(run);
-      const auto evaluated = static_cast<double>(run.now().groups.evaluations() - evaluations);
-      work += bodies + evaluated * largestGroup(run);
-    }
-  } catch (const SimulationDiverged&) {
-    // so will the run itself, and say so
+/// A run and one beside it at looser bounds, which tells its error.
+class TrialPair {
+ public:
+  explicit TrialPair(Run run) : run_(std::move(run)), loose_(run_.atLooserBounds()) {
+    for (std::size_t body = 0; body < world().bodies.size(); ++body)
+      paths_.push_back({run_.body(body)});
   }
-  return {bound, error.estimate().lost_at, run.now().time};
+
+  double time() const { return run_.now().time; }
+  const World& world() const { return *run_.now().world; }
+
+  /// To the end of the step, or to a time within it. Throws SimulationDiverged.
+  void step(std::optional<double> t) {
+    for (Run* run : {&run_, &loose_}) {
+      const double before = run->now().groups.work();
+      if (t)
+        run->stepPart(*t);
+      else
+        run->step();
+      const Groups& groups = run->now().groups;
+      work_ += static_cast<double>(groups.size()) + groups.work() - before;
+    }
+  }
+
+  /// Steps, and evaluations of a body, so far.
+  double work() const { return work_; }
+
+  /// Whether the two are apart by more than the tolerance, now.
+  bool haveParted() {
+    bool parted = false;
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      if (!moves(world().bodies[i])) continue;
+      const BodyState fine = run_.body(i), coarse = loose_.body(i);
+      paths_[i].goOn(fine);
+      parted |= isBeyond(world().solver.tolerance, angleBetween(fine.q_WP, coarse.q_WP),
+                         distanceBetween(fine, coarse), world().bodies[i], paths_[i]);
+    }
+    return parted;
+  }
+
+ private:
+  Run run_, loose_;
+  std::vector<Path> paths_;  // by body
+  double work_ = 0;
+};
+
+/// Follows a run up to the horizon, until the tolerance is exceeded or the work is done.
+ContactTrial follow(Run run, double bound, double& work) {
+  const SolverOptions solver = run.now().world->solver;
+  const double h = solver.time_step;
+  const double parts = std::max(1.0, std::ceil(kFewestInstants * h / solver.horizon));
+  TrialPair pair(std::move(run));
+  ContactTrial trial{bound, std::numeric_limits<double>::infinity(), pair.time(), true};
+  double begin = pair.time();
+  try {
+    for (double part = 1; pair.time() < solver.horizon && work + pair.work() < kMostWork; ++part) {
+      if (part < parts) {
+        pair.step(begin + h * part / parts);
+      } else {
+        pair.step(std::nullopt);
+        begin = pair.time();
+        part = 0;
+      }
+      trial.tried_until = pair.time();
+      trial.compares = true;
+      if (!pair.haveParted()) continue;
+      trial.lost_at = pair.time();
+      break;
+    }
+    work += pair.work();
+  } catch (const SimulationDiverged&) {
+    // so will the run itself, and say so; or a step takes more work than there is
+    work = kMostWork;
+  }
+  return trial;
 }
 
 }  // namespace
@@ -48,7 +105,7 @@ bool needsContactTrial(const Run& run) {
   const SolverOptions& solver = run.now().world->solver;
   return solver.integrator == "auto" && solver.tolerance_stated &&
          !run.now().laws.contacts().empty() && run.now().start->contact_bound == 0 &&
-         run.now().time < solver.horizon && run.contactTrial().step_bound > kLeastContactBound;
+         run.now().time < solver.horizon;
 }
 
 /// Of trials whose work ends too early to tell anything, what the one before has shown stays.
@@ -58,14 +115,12 @@ ContactTrial tryContact(const Run& run) {
   double bound = found.step_bound;
   for (double work = 0; work < kMostWork;) {
     Run tried = run;
+    tried.limitContactWork(kMostWork - work);
     tried.boundContact({bound});
     const ContactTrial trial = follow(std::move(tried), bound, work);
     const bool tells_little = trial.tried_until - start < kLeastShare * (horizon - start);
     const bool is_first = std::isinf(found.lost_at);
-    if (std::isinf(trial.lost_at) && tells_little) {
-      if (is_first) found.tried_until = trial.tried_until;
-      break;
-    }
+    if (std::isinf(trial.lost_at) && tells_little && !is_first) break;
     found = trial;
     if (std::isinf(trial.lost_at) || bound <= kLeastContactBound) break;
     bound = std::max(bound / kCompanionShare, kLeastContactBound);

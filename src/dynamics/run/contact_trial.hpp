@@ -4,8 +4,7 @@
 
 namespace rigid_body_sim {
 
-/// Whether auto has to find out what a stated tolerance asks of contact in the scene, and could do
-/// something about it.
+/// Whether auto has to find out what a stated tolerance asks of contact in the scene.
 bool needsContactTrial(const Run& run);
 
 /// Runs the scene from the start at ever tighter bounds; see ContactTrial.

@@ -133,6 +133,12 @@ std::string contactText(const Simulation& simulation) {
                                                     : "tighter steps take longer than a trial");
     return text.str();
   }
+  if (trial.is_made && !trial.compares) {
+    text << "contact: whether tolerance " << solver.tolerance
+         << " holds is not known: the work of a trial ended before there was anything to compare; "
+            "a shorter time_step or horizon, or a lower stiffness, lets it tell";
+    return text.str();
+  }
   const double tighter = contactStepBound(solver.tolerance) / trial.step_bound;
   if (tighter > 1.5)
     text << "contact: errors of a step are kept " << tighter << " times smaller than tolerance "

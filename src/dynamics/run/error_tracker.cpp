@@ -22,6 +22,12 @@ double excessOf(const Run& run, const Group& group) {
 
 }  // namespace
 
+bool isBeyond(double tolerance, double attitude, double position, const Body& body,
+              const Path& path) {
+  const bool has_moved = path.length > radiusOfGyration(body);
+  return attitude > tolerance || (has_moved && position > tolerance * path.length);
+}
+
 ErrorTracker::ErrorTracker(const Run& run) {
   if (run.now().steps % 2 == 0) start(run);
 }
@@ -65,12 +71,9 @@ void ErrorTracker::compare(const Run& run, const Group& group) {
     const BodyState fine = run.body(body), coarse = coarse_->body(body);
     const double attitude = angleBetween(fine.q_WP, coarse.q_WP) / ratio;
     const double position = distanceBetween(fine, coarse) / ratio;
-    Path& path = paths_[body];
-    path.length += distanceBetween(fine, path.last);
-    path.last = fine;
-    const bool has_moved = path.length > radiusOfGyration(run.now().world->bodies[body]);
+    paths_[body].goOn(fine);
     const bool exceeds =
-        attitude > solver.tolerance || (has_moved && position > solver.tolerance * path.length);
+        isBeyond(solver.tolerance, attitude, position, run.now().world->bodies[body], paths_[body]);
     if (exceeds && solver.integrator == "auto" && run.now().time <= solver.horizon)
       estimate_.lost_at = std::min(estimate_.lost_at, run.now().time);
     estimate_.attitude = std::max(estimate_.attitude, attitude);

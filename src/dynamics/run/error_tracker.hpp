@@ -8,6 +8,22 @@
 
 namespace rigid_body_sim {
 
+/// How far a body has come, as it is seen from instant to instant.
+struct Path {
+  BodyState last;
+  double length = 0;  ///< [m]
+
+  void goOn(const BodyState& now) {
+    length += distanceBetween(now, last);
+    last = now;
+  }
+};
+
+/// Whether errors of a body [rad], [m] are beyond a tolerance: of attitude or, where it has come
+/// further than its size, of position relative to its path.
+bool isBeyond(double tolerance, double attitude, double position, const Body& body,
+              const Path& path);
+
 /// Estimates the error of a run by another at twice the step, which is given the same inputs.
 class ErrorTracker {
  public:
@@ -35,11 +51,6 @@ class ErrorTracker {
   void start(const Run& run);
   void compare(const Run& run, const Group& group);
 
-  /// How far a body has come, as this has followed it.
-  struct Path {
-    BodyState last;
-    double length = 0;  // [m]
-  };
   std::optional<Run> coarse_;  // none before a step of even count, and where all is solved
   ErrorEstimate estimate_;
   std::vector<Path> paths_;  // by body; empty before a step is followed

@@ -12,30 +12,6 @@ double potentialOf(const ForceLaw& law, const ForceLaw::Bodies& at) {
   return law.acts(at.own) ? law.potentialEnergy(at) : 0;
 }
 
-/// Cubic through place and velocity at both ends of a substep of h, at a share s of it; attitudes
-/// and momenta straight. Near enough to tell where to look.
-BodyState between(const Body& body, const BodyState& a, const BodyState& b, double h, double s) {
-  const double s2 = s * s, s3 = s2 * s;
-  BodyState state = a;
-  const Vector3d gap = (b.x_W - a.x_W) + (b.x_low_W - a.x_low_W);
-  state.x_low_W +=
-      (3 * s2 - 2 * s3) * gap + h / body.mass * ((s3 - 2 * s2 + s) * a.p_W + (s3 - s2) * b.p_W);
-  state.q_WP = a.q_WP.slerp(s, b.q_WP);
-  state.p_W = (1 - s) * a.p_W + s * b.p_W;
-  state.L_P = (1 - s) * a.L_P + s * b.L_P;
-  state.L_W = (1 - s) * a.L_W + s * b.L_W;
-  return state;
-}
-
-/// Whether nothing but a look at the guards shows events. Contact is stepped by its own error
-/// estimates.
-bool needCloseLook(const System& system) {
-  return std::any_of(system.stateful_laws.begin(), system.stateful_laws.end(),
-                     [](const System::StatefulLaw& stateful) {
-                       return stateful.law->guardCount() > 0 && !(stateful.law->needs() & kContact);
-                     });
-}
-
 }  // namespace
 
 void EventSearch::setGuards(const System& system, const SystemState& states,
@@ -53,27 +29,12 @@ bool EventSearch::anyBelow(const System& system, const SystemState& states) {
   return std::any_of(guards_.begin(), guards_.end(), [](double guard) { return guard < 0; });
 }
 
-/// A time at which a guard is below zero, by what lies between the ends; else the end.
+/// A time at which a guard is below zero; else the end. trial_ and guards_ are of that time. By the
+/// motion itself at quarters of the piece and, where a guard comes near zero, at eighths and at the
+/// vertex of the parabola through the least of these and its neighbours. cubic: in its place, where
+/// that is not null, and the motion only where it is below zero or nearly so.
 double EventSearch::suspected(const MotionPiece& piece, const SystemState& at_start,
-                              const SystemState& at_end) {
-  if (needCloseLook(piece.system())) return lookedAtClosely(piece, at_start, at_end);
-  const double h = piece.end() - piece.start();
-  for (const double share : {0.25, 0.5, 0.75}) {
-    trial_.laws = at_end.laws;
-    trial_.bodies.clear();
-    for (std::size_t i = 0; i < at_end.bodies.size(); ++i)
-      trial_.bodies.push_back(
-          between(*piece.system().bodies[i], at_start.bodies[i], at_end.bodies[i], h, share));
-    if (anyBelow(piece.system(), trial_)) return piece.start() + share * h;
-  }
-  return piece.end();
-}
-
-/// A time at which a guard is below zero, by the motion itself at quarters of the piece and, where
-/// a guard comes near zero, at eighths and at the vertex of the parabola through the least of these
-/// and its neighbours; else the end.
-double EventSearch::lookedAtClosely(const MotionPiece& piece, const SystemState& at_start,
-                                    const SystemState& at_end) {
+                              const SystemState& at_end, const CubicBetween* cubic) {
   constexpr std::size_t kParts = 8;
   const double part = (piece.end() - piece.start()) / kParts;
   samples_.resize(kParts + 1);
@@ -83,11 +44,17 @@ double EventSearch::lookedAtClosely(const MotionPiece& piece, const SystemState&
     piece.at(piece.start() + parts * part, trial_);
     return anyBelow(piece.system(), trial_);
   };
+  const auto seemsBelowAt = [&](double parts) {
+    if (!cubic) return isBelowAt(parts);
+    cubic->at(parts / kParts, trial_);
+    return anyBelow(piece.system(), trial_);
+  };
   for (const std::size_t k : {2, 4, 6, 1, 3, 5, 7}) {
     if (k == 1 && !comeNear({0, 2, 4, 6, 8})) return piece.end();
     const auto parts = static_cast<double>(k);
-    if (isBelowAt(parts)) return piece.start() + parts * part;
+    const bool seems_below = seemsBelowAt(parts);
     samples_[k] = guards_;
+    if (seems_below && (!cubic || isBelowAt(parts))) return piece.start() + parts * part;
   }
   for (std::size_t i = 0; i < samples_.front().size(); ++i) {
     for (std::size_t k = 1; k < kParts; ++k) {
@@ -95,10 +62,19 @@ double EventSearch::lookedAtClosely(const MotionPiece& piece, const SystemState&
       if (!(here <= before && here <= after && before + after > 2 * here)) continue;
       const double vertex = 0.5 * (before - after) / (before + after - 2 * here);
       const double parts = static_cast<double>(k) + vertex;
+      if (cubic && !isNearZero(i, here - 0.25 * (before - after) * vertex)) continue;
       if (isBelowAt(parts)) return piece.start() + parts * part;
     }
   }
   return piece.end();
+}
+
+/// Whether that may be below zero of guard i, for all that a cubic tells.
+bool EventSearch::isNearZero(std::size_t i, double least) const {
+  constexpr double kCubicErrs = 0.02;  // of the greatest value, where steps are long
+  double greatest = 0;
+  for (const std::vector<double>& guards : samples_) greatest = std::max(greatest, guards[i]);
+  return least < kCubicErrs * greatest;
 }
 
 /// Whether a guard falls below half of its greatest value among those samples.
@@ -116,14 +92,12 @@ bool EventSearch::comeNear(std::initializer_list<std::size_t> samples) const {
 }
 
 double EventSearch::firstEvent(const MotionPiece& piece, const SystemState& at_start,
-                               SystemState& at_end) {
+                               SystemState& at_end, const CubicBetween* cubic) {
   found_ = false;
   double after = piece.end();
   if (!anyBelow(piece.system(), at_end)) {
-    after = suspected(piece, at_start, at_end);
+    after = suspected(piece, at_start, at_end, cubic);
     if (after == piece.end()) return after;
-    piece.at(after, trial_);
-    if (!anyBelow(piece.system(), trial_)) return piece.end();
     at_end = trial_;
   }
   found_ = true;

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "dynamics/run/cubic_between.hpp"
 #include "dynamics/run/motion_piece.hpp"
 
 namespace rigid_body_sim {
@@ -17,8 +18,9 @@ class EventSearch {
   /// The instant at which the first guard has just fallen below zero, located to the system's
   /// precision; the end of the piece where none does. at_end: the states there; they become those
   /// at the instant. What falls below zero and rises again within an eighth of the piece is looked
-  /// for by a parabola through the guard; in contact, what does so within a quarter may be missed.
-  double firstEvent(const MotionPiece& piece, const SystemState& at_start, SystemState& at_end);
+  /// for by a parabola through the guard. cubic: what shows where to look at less cost; or null.
+  double firstEvent(const MotionPiece& piece, const SystemState& at_start, SystemState& at_end,
+                    const CubicBetween* cubic = nullptr);
 
   /// Whether the last firstEvent found one.
   bool found() const { return found_; }
@@ -28,10 +30,9 @@ class EventSearch {
   double lowest(const System& system, const SystemState& states);
   double lowestShare() const;
   bool anyBelow(const System& system, const SystemState& states);
-  double suspected(const MotionPiece& piece, const SystemState& at_start,
-                   const SystemState& at_end);
-  double lookedAtClosely(const MotionPiece& piece, const SystemState& at_start,
-                         const SystemState& at_end);
+  double suspected(const MotionPiece& piece, const SystemState& at_start, const SystemState& at_end,
+                   const CubicBetween* cubic);
+  bool isNearZero(std::size_t i, double least) const;
   bool comeNear(std::initializer_list<std::size_t> samples) const;
 
   bool found_ = false;

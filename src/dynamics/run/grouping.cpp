@@ -155,20 +155,20 @@ void Grouping::disturb(RunState& run, std::size_t body) {
   watches_.wakeUp(run.groups.of(body).members());
 }
 
-void Grouping::formAtTwiceTheStep(RunState& coarse, const RunState& fine) {
-  planner_.loosen();
-  watches_ = LawWatches(*coarse.world, coarse.laws, watches_.near());
-  coarse.groups.clear(coarse.world->bodies.size());
+void Grouping::formLooser(RunState& loose, const RunState& fine, bool twice_the_step) {
+  planner_.loosen(twice_the_step);
+  watches_ = LawWatches(*loose.world, loose.laws, watches_.near());
+  loose.groups.clear(loose.world->bodies.size());
   for (const Group& group : fine.groups.all()) {
     MethodChoice choice = group.choice();
-    choice.max_turn_share *= 2;
+    if (twice_the_step) choice.max_turn_share *= 2;
     choice.contact_bound *= kCompanionShare;
     std::vector<BodyState> states;
     for (std::size_t k = 0; k < group.members().size(); ++k)
       states.push_back(fine.present(group.members()[k]));
-    coarse.groups.add(Group(*coarse.world, coarse.laws, group.bodies(), choice, fine.time,
-                            std::move(states), coarse.law_states, coarse.schedules),
-                      coarse.schedules);
+    loose.groups.add(Group(*loose.world, loose.laws, group.bodies(), choice, fine.time,
+                           std::move(states), loose.law_states, loose.schedules),
+                     loose.schedules);
   }
 }
 

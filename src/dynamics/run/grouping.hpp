@@ -46,8 +46,9 @@ class Grouping {
   /// To be called for a body that no longer moves as the scene predicted, nor do those with it.
   void disturb(RunState& run, std::size_t body);
 
-  /// Forms the groups of a run at twice the step, `coarse`, like those of another.
-  void formAtTwiceTheStep(RunState& coarse, const RunState& fine);
+  /// Forms the groups of a run at looser bounds, `loose`, like those of another; twice_the_step:
+  /// its steps are that long.
+  void formLooser(RunState& loose, const RunState& fine, bool twice_the_step);
 
  private:
   void findCandidates(RunState& run, double t_end, bool looks_ahead);

@@ -35,6 +35,7 @@ void Groups::remove(const std::vector<std::size_t>& indices) {
     removed_.max_substeps = std::max(removed_.max_substeps, groups_[*g].maxSubsteps());
     removed_.magnification = std::max(removed_.magnification, groups_[*g].magnification());
     removed_.evaluations += groups_[*g].evaluations();
+    removed_.work += workOf(groups_[*g]);
     erase(*g);
   }
 }
@@ -65,6 +66,12 @@ double Groups::magnification() const {
 std::int64_t Groups::evaluations() const {
   std::int64_t sum = removed_.evaluations;
   for (const Group& group : groups_) sum += group.evaluations();
+  return sum;
+}
+
+double Groups::work() const {
+  double sum = removed_.work;
+  for (const Group& group : groups_) sum += workOf(group);
   return sum;
 }
 

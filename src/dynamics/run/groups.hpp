@@ -27,6 +27,7 @@ class Groups {
     int max_substeps = 1;
     double magnification = 0;
     std::int64_t evaluations = 0;
+    double work = 0;  ///< the same, each as often as it is of a body
   };
   const Counts& counts() const { return removed_; }
   void setCounts(const Counts& counts) { removed_ = counts; }
@@ -81,11 +82,15 @@ class Groups {
   int maxSubsteps() const;
   double magnification() const;
   std::int64_t evaluations() const;
+  double work() const;
 
  private:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
   void erase(std::size_t g);
+  static double workOf(const Group& group) {
+    return static_cast<double>(group.evaluations()) * static_cast<double>(group.members().size());
+  }
   static double knownOrRest(const Group& group, const std::vector<WrenchSchedule>& schedules) {
     return group.isAtRest() ? group.restsUntil(schedules) : group.knownUntil(schedules);
   }

@@ -20,14 +20,22 @@ LinkingStep::LinkingStep(RunState& run, Grouping& grouping, RunContacts& contact
 void LinkingStep::advance() {
   begin();
   constexpr int kMaxLinks = 100000;
-  for (int links = 0; advanceToNext(); ++links)
-    if (links == kMaxLinks)
-      throw SimulationDiverged(run_.time, run_.world->bodies[0].name,
-                               "a step links and parts bodies 100000 times");
+  const double done = run_.groups.work();
+  const double most = grouping_.planner().contactWork();
+  for (int links = 0; advanceToNext(); ++links) {
+    // each looks at every group
+    const double looks = static_cast<double>(links) * static_cast<double>(run_.groups.size());
+    if (run_.groups.work() - done + looks > most) stopAt(tooMuchContact(most));
+    if (links == kMaxLinks) stopAt("a step links and parts bodies 100000 times");
+  }
   std::stable_sort(contact_events_.begin(), contact_events_.end(),
                    [](const ContactEvent& a, const ContactEvent& b) { return a.t < b.t; });
   settle();
   grouping_.watches().findQuiet(run_);
+}
+
+void LinkingStep::stopAt(const std::string& reason) const {
+  throw SimulationDiverged(run_.time, run_.world->bodies[0].name, reason);
 }
 
 /// Parts bodies that were linked for no more than being near, where they are no longer; the same

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "dynamics/run/grouping.hpp"
@@ -23,6 +24,7 @@ class LinkingStep {
 
  private:
   void begin();
+  [[noreturn]] void stopAt(const std::string& reason) const;
   bool advanceToNext();
   void advanceToEvent(const LawWatches::Event& event);
   bool advanceContact(double limit);

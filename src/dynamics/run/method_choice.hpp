@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "dynamics/methods/catalogue.hpp"
+#include "dynamics/run/contact_bound.hpp"
 
 namespace rigid_body_sim {
 
@@ -20,6 +21,7 @@ struct MethodChoice {
                               ///< tolerance is held
   double contact_bound = 0;   ///< what the error estimate of a step in contact may reach; 0: as
                               ///< contactStepBound says
+  double contact_work = kMostContactWork;  ///< see mostContactWork
 };
 
 /// What follows any motion within the tolerance, at a higher price than what a trial finds: dop853

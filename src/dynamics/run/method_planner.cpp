@@ -24,10 +24,11 @@ bool actsInPlaces(const World& world) {
 MethodPlanner::MethodPlanner(const World& world)
     : method_(world.solver.integrator == "auto" ? nullptr : &methodNamed(world.solver.integrator)),
       solves_media_(!actsInPlaces(world)),
-      contact_bound_(contactStepBound(world.solver.tolerance)) {}
+      contact_bound_(contactStepBound(world.solver.tolerance)),
+      contact_work_(mostContactWork(world.solver.time_step)) {}
 
-void MethodPlanner::loosen() {
-  max_turn_share_ *= 2;
+void MethodPlanner::loosen(bool twice_the_step) {
+  if (twice_the_step) max_turn_share_ *= 2;
   contact_bound_ *= kCompanionShare;
 }
 
@@ -79,6 +80,7 @@ MethodChoice MethodPlanner::later(const World& world, const CoupledBodies& group
   }
   choice.max_turn_share = max_turn_share_;
   choice.contact_bound = contact_bound_;
+  choice.contact_work = contact_work_;
   return choice;
 }
 
@@ -106,7 +108,7 @@ MethodChoice MethodPlanner::asPlanned(const World& world, const CoupledBodies& g
     const Method& method = methodNamed(plan.integrator);
     rigid_body_sim::requireSupport(method, needs, body);
     return {&method,          plan.substeps,  plan.error,        max_turn_share_, plan.holds,
-            plan.tried_until, plan.cut_short, plan.by_estimates, contact_bound_};
+            plan.tried_until, plan.cut_short, plan.by_estimates, contact_bound_,  contact_work_};
   }
   if (!isSolved(world, group, needs, schedules))
     throw std::invalid_argument("body '" + body + "': its motion cannot be solved with what acts");

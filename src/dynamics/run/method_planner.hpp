@@ -3,6 +3,7 @@
 #include <map>
 #include <vector>
 
+#include "dynamics/run/contact_bound.hpp"
 #include "dynamics/run/group.hpp"
 #include "dynamics/run/method_trial.hpp"
 
@@ -16,13 +17,17 @@ class MethodPlanner {
   /// Throws std::invalid_argument for an integrator that is unknown.
   explicit MethodPlanner(const World& world);
 
-  /// In a run at twice the step, that estimates errors, a substep may turn twice as far, and err by
-  /// more in contact.
-  void loosen();
+  /// In a run that estimates errors, a substep may err by more in contact, and, at twice the step,
+  /// turn twice as far.
+  void loosen(bool twice_the_step);
 
   /// What the error estimate of a step in contact may reach.
   double contactBound() const { return contact_bound_; }
   void setContactBound(double bound) { contact_bound_ = bound; }
+
+  /// See mostContactWork.
+  double contactWork() const { return contact_work_; }
+  void setContactWork(double work) { contact_work_ = work; }
 
   /// Throws std::invalid_argument, naming the body, where the integrator does not support what the
   /// group needs.
@@ -59,6 +64,7 @@ class MethodPlanner {
   bool solves_media_;     // whether motions in a medium may be solved
   double max_turn_share_ = 1;
   double contact_bound_;
+  double contact_work_;
   /// Of auto's trials, by members; first without the scene's wrenches, then with them.
   std::map<Members, MethodChoice> choices_[2];
 };

@@ -1,5 +1,6 @@
 #include "dynamics/run/run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -23,22 +24,30 @@ void Run::boundContact(const ContactTrial& trial) {
   place(*now_.start, true);
 }
 
+void Run::limitContactWork(double work) {
+  MethodPlanner& planner = grouping_.planner();
+  planner.setContactWork(std::min(planner.contactWork(), work));
+}
+
 ContactTrial Run::contactTrial() const {
   const double bound = grouping_.planner().contactBound();
   return bound == contact_trial_.step_bound ? contact_trial_ : ContactTrial{bound};
 }
 
-Run Run::atTwiceTheStep() const {
-  Run coarse = *this;
+Run Run::atTwiceTheStep() const { return loosened(true); }
+Run Run::atLooserBounds() const { return loosened(false); }
+
+Run Run::loosened(bool twice_the_step) const {
+  Run loose = *this;
   World world = *now_.world;
-  world.solver.time_step *= 2;
+  if (twice_the_step) world.solver.time_step *= 2;
   world.solver.tolerance_stated = false;
-  coarse.now_.world = std::make_shared<const World>(std::move(world));
-  coarse.now_.steps = now_.steps / 2;
-  coarse.now_.law_states = now_.lawStates();
-  coarse.grouping_.formAtTwiceTheStep(coarse.now_, now_);
-  coarse.now_.beginPacks();
-  return coarse;
+  loose.now_.world = std::make_shared<const World>(std::move(world));
+  if (twice_the_step) loose.now_.steps = now_.steps / 2;
+  loose.now_.law_states = now_.lawStates();
+  loose.grouping_.formLooser(loose.now_, now_, twice_the_step);
+  loose.now_.beginPacks();
+  return loose;
 }
 
 /// Makes anew what goes by the bodies of the world, where these are to be others.
@@ -80,8 +89,22 @@ void Run::place(const State& start, bool scheduled) {
 /// One step; of groups whose motion is known beyond it only if they are metered.
 void Run::advance(ExchangeMeter* meter) {
   const double t_end = static_cast<double>(now_.steps + 1) * now_.world->solver.time_step;
-  const double known_beyond = meter ? std::numeric_limits<double>::infinity() : t_end;
   if (now_.packs.isUsed()) preparePacks(t_end, meter != nullptr);
+  advanceGroups(t_end, meter);
+  accept(t_end);
+}
+
+void Run::stepPart(double t) {
+  now_.unpackAll();
+  advanceGroups(t, nullptr);
+  std::vector<std::size_t> switched;
+  if (step_.hasBegun()) switched = acceptGroups(t);
+  now_.time = t;
+  if (!switched.empty()) grouping_.regroup(now_, switched, t);
+}
+
+void Run::advanceGroups(double t_end, ExchangeMeter* meter) {
+  const double known_beyond = meter ? std::numeric_limits<double>::infinity() : t_end;
   try {
     if (grouping_.mayChangeBy(t_end))
       LinkingStep(now_, grouping_, contacts_, step_, t_end, meter).advance();
@@ -95,7 +118,6 @@ void Run::advance(ExchangeMeter* meter) {
     takeBack();
     throw;
   }
-  accept(t_end);
 }
 
 void Run::takeBack() {
@@ -106,21 +128,19 @@ void Run::takeBack() {
   grouping_.watches().wakeUp();
 }
 
-void Run::accept(double t_end) {
-  if (step_.hasBegun()) return acceptBegun(t_end);
-  now_.time = t_end;
-  ++now_.steps;
-  if (now_.packs.size() > 0) now_.stepPacks(1);
-}
-
-/// Where more has been advanced than motion that is known beforehand.
-void Run::acceptBegun(double t_end) {
+/// Returns the members of groups in which the modes of laws have switched.
+std::vector<std::size_t> Run::acceptGroups(double t_end) {
   if (step_.hasRegrouped()) {
     grouping_.findNextLink(now_);
     now_.offerAll();
   }
   for (std::size_t body : step_.scheduled()) now_.packs.offer(body);
-  const std::vector<std::size_t> switched = step_.accept(t_end, now_.groups, now_.schedules);
+  return step_.accept(t_end, now_.groups, now_.schedules);
+}
+
+void Run::accept(double t_end) {
+  std::vector<std::size_t> switched;  // none where all motion is known beforehand, in most steps
+  if (step_.hasBegun()) switched = acceptGroups(t_end);
   now_.time = t_end;
   ++now_.steps;
   if (now_.packs.size() > 0) now_.stepPacks(1);

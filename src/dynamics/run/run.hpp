@@ -25,8 +25,15 @@ class Run {
   /// The same run at twice the step, from a step of even count on, to compare with.
   Run atTwiceTheStep() const;
 
+  /// The same run, in which steps in contact may err by more and what flies is solved to rounding,
+  /// to compare with.
+  Run atLooserBounds() const;
+
   /// Begins anew at the start, with steps in contact bounded so.
   void boundContact(const ContactTrial& trial);
+
+  /// Lets a time step take no more work in contact than this; see mostContactWork.
+  void limitContactWork(double work);
 
   /// That trial; after load(), the bound of the state that was loaded.
   ContactTrial contactTrial() const;
@@ -43,6 +50,10 @@ class Run {
 
   /// So many steps. Throws SimulationDiverged after those that could be taken.
   void step(std::int64_t count);
+
+  /// Goes on to a time t within the step that comes next; step() ends it. Not for a run of which
+  /// events or inputs count.
+  void stepPart(double t);
 
   /// The same as step(), every piece of motion shown to the meter.
   void step(ExchangeMeter& meter) { advance(&meter); }
@@ -96,9 +107,11 @@ class Run {
   void enter(const std::vector<BodyChange>& changes);
   void place(const State& start, bool scheduled);
   void goOnAs(Run& changed, const State& state);
+  Run loosened(bool twice_the_step) const;
   void advance(ExchangeMeter* meter);
+  void advanceGroups(double t_end, ExchangeMeter* meter);
+  std::vector<std::size_t> acceptGroups(double t_end);
   void accept(double t_end);
-  void acceptBegun(double t_end);
   void takeBack();
   void preparePacks(double t_end, bool metered);
   std::int64_t packedSteps(std::int64_t at_most) const;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dynamics/actuators/actuator_start.hpp"
+#include "dynamics/contact/buried.hpp"
 #include "dynamics/run/check_input.hpp"
 #include "dynamics/run/parts.hpp"
 #include "dynamics/world_changes.hpp"
@@ -108,6 +109,7 @@ void Simulation::setPresent(std::size_t body, const std::optional<BodyState>& st
     with_body.bodies[body].absent = false;
     checkBodyState(with_body, body, *state);
     requireFiniteEnergy(known, *state);
+    requireNotBuried(with_body, body, *state);
   }
   const Totals before = parts_->balance ? totalsOf(world(), this->state()) : Totals();
   parts_->run.setPresent(body, state);

@@ -54,7 +54,7 @@ struct RunState {
   /// What has been counted of all bodies since the start, in groups and in packs.
   Groups::Counts counts() const {
     return {groups.maxSubsteps(), std::max(groups.magnification(), packs.magnification()),
-            groups.evaluations() + packs.evaluations(steps)};
+            groups.evaluations() + packs.evaluations(steps), groups.work()};
   }
 
   /// State::laws now.

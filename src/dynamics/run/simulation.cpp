@@ -3,6 +3,7 @@
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
+#include "dynamics/contact/buried.hpp"
 #include "dynamics/run/check_input.hpp"
 #include "dynamics/run/contact_trial.hpp"
 #include "dynamics/run/parts.hpp"
@@ -22,6 +23,7 @@ Run start(World world, State state) {
   checkWorld(world);  // also what rests while a body is absent
   world = withChanges(std::move(world), state.changes);
   checkState(world, state);
+  if (state.laws.empty()) requireNoneBuried(world, state.bodies);
   Run run(std::make_shared<const World>(std::move(world)),
           std::make_shared<const State>(std::move(state)));
   if (needsContactTrial(run)) run.boundContact(tryContact(run));
@@ -149,6 +151,7 @@ void Simulation::clearWrenches(std::size_t body, const std::string& slot) {
 void Simulation::setState(std::size_t body, const BodyState& state) {
   checkBodyState(world(), body, state);
   requireFiniteEnergy(world().bodies[body], state);
+  requireNotBuried(world(), body, state);
   parts_->run.setState(body, state);
   parts_->restartTracking();
 }

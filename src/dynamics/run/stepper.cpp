@@ -23,6 +23,7 @@ void Stepper::fallBackToErrorControl() {
   controlled.max_turn_share = choice_.max_turn_share;
   controlled.holds = choice_.holds;
   controlled.contact_bound = choice_.contact_bound;
+  controlled.contact_work = choice_.contact_work;
   choice_ = controlled;
 }
 

@@ -97,13 +97,16 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
                                Meter& meter) {
   if (at_rest_) return false;
   workspace_.step_bound = contactBound();
+  const std::int64_t evaluated = evaluations();
+  const auto bodies = static_cast<double>(system.bodies.size());
   double done = 0, next = h;
   constexpr int kMaxSubsteps = 1000000;
   // what laws bring about at any state lasts over the whole step: that is known beforehand
   if (!(h * law_rate_ <= kMaxSubsteps * choice_.method->max_turn))
     failTooFast(system, h, states, "1e6 substeps in contact");
-  for (int taken = 0; done < h; ++taken) {
-    if (taken == kMaxSubsteps) failTooFast(system, h, states, "1e6 substeps in contact");
+  while (done < h) {
+    if (static_cast<double>(evaluations() - evaluated) * bodies > choice_.contact_work)
+      throw StepTooLong(tooMuchContact(choice_.contact_work));
     const double left = h - done;
     double step = std::min({left, next, longestStep(system, h, states)});
     if (step < left && step > 0.5 * left) step = 0.5 * left;  // no sliver at the end
@@ -111,7 +114,8 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     step = takeEstimatedStep(system, step, states, next);
     scratch_.step_bound = workspace_.step_bound;
     const MotionPiece piece(system, *choice_.method, start, 0, step, scratch_);
-    const double length = events_.firstEvent(piece, start, states);
+    const CubicBetween cubic(start, states, workspace_, step);
+    const double length = events_.firstEvent(piece, start, states, &cubic);
     visit(system, t + done, length, start, meter);
     done = length == left ? h : done + length;
     bool stops = done < h && isBeyond(states);

@@ -124,6 +124,49 @@ TEST(Promise, IsTriedForNoLongerThanItsWorkAllows) {
   EXPECT_NE(describeSolution(sim).back().find("to hold up to"), std::string::npos);
 }
 
+// Contact is integrated in steps of its own, however long those of the world are.
+TEST(Promise, IsTriedWithinOneLongStep) {
+  Bench bench = hardLanding();
+  bench.world.solver.tolerance = 1e-7;  // at the first bound, errors come to five times that
+  const double horizon = bench.world.solver.horizon;
+  for (const double time_step : {0.005, 0.51 * horizon, horizon, 10 * horizon}) {
+    const ContactTrial trial = bench.simulation("auto", time_step).contactTrial();
+    EXPECT_TRUE(trial.compares);
+    EXPECT_NEAR(trial.step_bound / contactStepBound(1e-7), 0.01, 1e-6) << time_step;
+    EXPECT_TRUE(std::isinf(trial.lost_at));
+    EXPECT_NEAR(trial.tried_until, horizon, horizon / 32);
+  }
+}
+
+// A single step of a day: the work of the trial ends within it.
+TEST(Promise, IsSaidToBeUnknownWhereATrialTellsNothing) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.80665};
+  bench.world.solver.horizon = 86400 * 100;
+  for (int i = 0; i < 5; ++i)
+    test::addBall(bench, 0.1, 1, motionAt({i * 1.0, 0, 0.4}), test::slope(0),
+                  contactOf(1e6, 1, 0, 0));
+  bench.world.solver.tolerance = 1e-6;
+  bench.world.solver.tolerance_stated = true;
+  const Simulation sim = bench.simulation("auto", bench.world.solver.horizon);
+  EXPECT_TRUE(sim.contactTrial().is_made);
+  EXPECT_FALSE(sim.contactTrial().compares);
+  EXPECT_NE(
+      describeSolution(sim).back().find("contact: whether tolerance 1e-06 holds is not known"),
+      std::string::npos)
+      << describeSolution(sim).back();
+}
+
+// Tighter steps there are none, but the user is told.
+TEST(Promise, IsTriedAtTheLeastBoundToo) {
+  Bench bench = hardLanding();
+  bench.world.solver.tolerance = 1e-11;
+  const Simulation sim = bench.simulation("auto", 0.005);
+  EXPECT_EQ(sim.contactTrial().step_bound, kLeastContactBound);
+  EXPECT_LT(sim.contactTrial().lost_at, bench.world.solver.horizon);
+  EXPECT_NE(describeSolution(sim).back().find("steps cannot be tighter"), std::string::npos);
+}
+
 // It would hold the first seconds of a day to a tolerance that nobody knows to hold then.
 TEST(Promise, PaysForNothingOfWhichATrialTellsLittle) {
   Bench bench = hardLanding(1e7);

@@ -43,17 +43,28 @@ TEST(BouncingBall, TouchesAtItsInstantsWhateverTheStep) {
   }
 }
 
-TEST(BouncingBall, KeepsItsEnergyOverAThousandBounces) {
+/// By a ball without loss, at the tightest bound; relative.
+double energyAfterBounces(int bounces, double exponent) {
   Bench bench;
   bench.world.g_W = {0, 0, -kFall};
-  test::addBall(bench, 0.1, 1, motionAt({0, 0, 0.6}), HalfSpace{}, contactOf(1e6, 1, 0, 0));
+  test::addBall(bench, 0.1, 1, motionAt({0, 0, 0.6}), HalfSpace{}, contactOf(1e6, exponent, 0, 0));
   Simulation sim = test::simulationAt(bench, 1e-10, 0.05);
   const double start = mechanicalEnergy(sim.world(), sim.state());
-  for (int touches = 0; touches < 1000;) {
+  for (int touches = 0; touches < bounces;) {
     sim.step();
     for (const ContactEvent& event : sim.contactEvents()) touches += event.touch;
   }
-  EXPECT_NEAR(mechanicalEnergy(sim.world(), sim.state()) / start, 1, 1e-12);
+  return mechanicalEnergy(sim.world(), sim.state()) / start;
+}
+
+TEST(BouncingBall, KeepsItsEnergyOverAThousandBounces) {
+  EXPECT_NEAR(energyAfterBounces(1000, 1), 1, 1e-12);
+}
+
+// With Hertz's law every bounce errs alike, by 2e-14: where the force begins and ends, it rises as
+// t^1.5, which no polynomial follows, and all bounces are of the same steps. Measured: 1.7e-11.
+TEST(BouncingBall, KeepsTenDigitsOfItsEnergyByHertzsLaw) {
+  EXPECT_NEAR(energyAfterBounces(1000, 1.5), 1, 4e-11);
 }
 
 // SimBenchmark's "bouncing": 7 × 7 balls of 10 kg and 0.1 m, dropped from 5 m, without loss, for 20
