@@ -3,13 +3,15 @@
 
 #include <rigid_body_sim/dynamics/drag.hpp>
 
+#include "dynamics/laws/drag_flow.hpp"
 #include "dynamics/laws/medium_load.hpp"
+#include "dynamics/rotation/free_motion.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-/// (1 − e^(−x))/x, 1 at zero.
-double decayShare(double x) { return x == 0 ? 1 : -std::expm1(-x) / x; }
+/// (1 − e^(−x))/x
+double decayShare(double x) { return std::abs(x) <= 1 ? smallDecayShare(x) : -std::expm1(-x) / x; }
 
 /// Solution after h of y' = f − rate y, started at y.
 Vector3d relaxed(const Vector3d& y, const Vector3d& f, double rate, double h) {
@@ -51,6 +53,18 @@ Vector3d relaxedQuadratic(const Drag::Coefficients& drag, double mass, const Vec
   return after(high);
 }
 
+/// As packs have it where drag takes no more than a part of the momentum, as in any step that an
+/// integrator follows.
+Vector3d relaxedMomentumOf(const Drag::Coefficients& drag, double mass, const Vector3d& p,
+                           const Vector3d& f, double h) {
+  const double fastest = drag.quadratic > 0 ? (p.norm() + h * f.norm()) / mass : 0;
+  if (std::abs((drag.linear + drag.quadratic * fastest) / mass * h) <= 1)
+    return vectorOf(relaxedMomentum<double>({drag.linear, drag.quadratic, drag.angular}, mass,
+                                            tripleOf(p), tripleOf(f), h));
+  return drag.quadratic > 0 ? relaxedQuadratic(drag, mass, p, f, h)
+                            : relaxed(p, f, drag.linear / mass, h);
+}
+
 }  // namespace
 
 std::shared_ptr<const ForceLaw> Drag::reindexed(
@@ -69,7 +83,7 @@ void Drag::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
   const BodyState& state = at.states[body_];
   const Vector3d v_W = state.p_W / body.mass;
   Wrench& wrench = wrenches[body_];
-  wrench.f_W -= (coefficients_.linear + coefficients_.quadratic * v_W.norm()) * v_W;
+  wrench.f_W -= (coefficients_.linear + coefficients_.quadratic * speedOf(tripleOf(v_W))) * v_W;
   wrench.tau_P -= coefficients_.angular * angularVelocity(body.inv_I, state.L_P);
 }
 
@@ -101,17 +115,12 @@ void Drag::addMedium(const Bodies& /*at*/, MediumLoad& load) const {
 }
 
 void Drag::kick(const Body& body, const Wrench& wrench, double h, BodyState& state) const {
-  state.p_W = coefficients_.quadratic > 0
-                  ? relaxedQuadratic(coefficients_, body.mass, state.p_W, wrench.f_W, h)
-                  : relaxed(state.p_W, wrench.f_W, coefficients_.linear / body.mass, h);
-  Vector3d tau_P = wrench.tau_P;
-  if (!wrench.tau_W.isZero(0)) tau_P += rotateBack(state.q_WP, wrench.tau_W);
+  state.p_W = relaxedMomentumOf(coefficients_, body.mass, state.p_W, wrench.f_W, h);
+  const Vector3d tau_P = wrench.tau_P + rotateBack(state.q_WP, wrench.tau_W);
   const Vector3d rate = coefficients_.angular * body.inv_I;
   Vector3d gain_P;
-  for (int i = 0; i < 3; ++i) {
-    const double x = rate(i) * h;
-    gain_P(i) = h * decayShare(x) * (tau_P(i) - rate(i) * state.L_P(i));
-  }
+  for (int i = 0; i < 3; ++i)
+    gain_P(i) = relaxedGain(decayShare(rate(i) * h), tau_P(i), rate(i), state.L_P(i), h);
   state.L_P += gain_P;
   state.L_W += rotate(state.q_WP, gain_P);
 }

@@ -45,6 +45,30 @@ bool isModest(const PackBlock& block, std::size_t lane) {
   return sum < kModest;
 }
 
+// a step looks ahead by its length
+constexpr double kSteps = Packs::kCertainSteps + 1;
+
+/// Whether anything acts beside a force at the centre of mass.
+bool isLoaded(const SteadyMotion& motion) {
+  return motion.drag || (motion.held && !motion.held->torqueFree());
+}
+
+/// Drag, and what Stepper asks of it.
+void putDrag(const SteadyMotion& motion, double h, PushBlock& block, std::size_t lane) {
+  const Body& body = *motion.body;
+  const Drag::Coefficients& drag = motion.drag->coefficients();
+  block.columns[kLinearDragColumn][lane] = drag.linear;
+  block.columns[kQuadraticDragColumn][lane] = drag.quadratic;
+  block.columns[kAngularDragColumn][lane] = drag.angular;
+  put(kSpinDecayColumn, Vector3d(drag.angular * body.inv_I), block, lane);
+  const double share = h / motion.max_turn;
+  block.columns[kSlowingColumn][lane] =
+      share * std::max(drag.linear / body.mass, drag.angular * body.inv_I.maxCoeff());
+  block.columns[kSlowingGainColumn][lane] = share * 2 * drag.quadratic / (body.mass * body.mass);
+  const double held = motion.held ? motion.held->f_W.norm() + motion.held->f_P.norm() : 0;
+  block.columns[kImpulseColumn][lane] = kSteps * h * (motion.weight_W.norm() + held);
+}
+
 }  // namespace
 
 bool staysModest(const PackBlock& block, std::size_t lane) {
@@ -79,9 +103,8 @@ void putBody(const SteadyMotion& motion, PackKind kind, double h, const BodyStat
   put(kWorldSpinColumn, state.L_W, block, lane);
   block.columns[kMagnificationColumn][lane] = motion.magnification;
   const HeldWrench nothing, &held = motion.held ? *motion.held : nothing;
-  const bool pushed = !held.torqueFree();
-  put(kForceColumn, pushed ? held.f_W : Vector3d(held.at(state).f_W + motion.weight_W), block,
-      lane);
+  put(kForceColumn, isLoaded(motion) ? held.f_W : Vector3d(held.at(state).f_W + motion.weight_W),
+      block, lane);
   block.columns[kMassColumn][lane] = body.mass;
   const bool is_split =
       kind == PackKind::kStrang02 || kind == PackKind::kStrang20 || kind == PackKind::kStrang12;
@@ -91,14 +114,12 @@ void putBody(const SteadyMotion& motion, PackKind kind, double h, const BodyStat
   put(kDifferencesColumn,
       Vector3d(body.I[1] - body.I[2], body.I[2] - body.I[0], body.I[0] - body.I[1]), block, lane);
   block.columns[kTurnColumn][lane] = h * body.inv_I.maxCoeff() / motion.max_turn;
-  // a step looks ahead by its length
-  constexpr double kSteps = Packs::kCertainSteps + 1;
   block.columns[kGrowthColumn][lane] = kSteps * h * torqueBound(held);
 }
 
-bool putPush(const SteadyMotion& motion, PushBlock& block, std::size_t lane) {
-  if (!motion.held || motion.held->torqueFree()) return false;
-  const HeldWrench& held = *motion.held;
+PackLoad putPush(const SteadyMotion& motion, double h, PushBlock& block, std::size_t lane) {
+  const HeldWrench nothing, &held = motion.held ? *motion.held : nothing;
+  if (!isLoaded(motion)) return PackLoad::kNone;
   put(kWeightColumn, motion.weight_W, block, lane);
   put(kBodyForceColumn, held.f_P, block, lane);
   put(kCoupleColumn, held.tau_W, block, lane);
@@ -106,7 +127,16 @@ bool putPush(const SteadyMotion& motion, PushBlock& block, std::size_t lane) {
   const auto& at = held.body_point_forces;
   put(kArmColumn, at.empty() ? Vector3d(Vector3d::Zero()) : at.front().arm_P, block, lane);
   put(kArmForceColumn, at.empty() ? Vector3d(Vector3d::Zero()) : at.front().force_W, block, lane);
-  return true;
+  if (!motion.drag) return PackLoad::kPush;
+  putDrag(motion, h, block, lane);
+  return PackLoad::kDrag;
+}
+
+bool slowsSlowly(const PackBlock& block, const PushBlock& push, std::size_t lane) {
+  const double p = std::sqrt(squaredLength(kMomentumColumn, block, lane));
+  return push.columns[kSlowingColumn][lane] +
+             push.columns[kSlowingGainColumn][lane] * (p + push.columns[kImpulseColumn][lane]) <=
+         kMaxShare;
 }
 
 bool isCertain(const PackBlock& block, std::size_t lane) {

@@ -12,9 +12,8 @@ PackBlock emptyBlock();
 void putBody(const SteadyMotion& motion, PackKind kind, double h, const BodyState& state,
              PackBlock& block, std::size_t lane);
 
-/// Writes all columns of a lane, where that is anything else than a force at the centre of mass;
-/// returns whether it is.
-bool putPush(const SteadyMotion& motion, PushBlock& block, std::size_t lane);
+/// Writes all columns of a lane, where anything acts beside a force at the centre of mass.
+PackLoad putPush(const SteadyMotion& motion, double h, PushBlock& block, std::size_t lane);
 
 inline void copyBody(const PackBlock& block, std::size_t lane, BodyState& state) {
   const auto copy = [&](int column, auto& to) {
@@ -43,6 +42,9 @@ void copyLane(const Block& from, std::size_t from_lane, Block& to, std::size_t t
 /// What is certain for Packs::kCertainSteps steps: that a body turns in none of them further than
 /// its integrator follows without dividing it, and that its numbers remain finite.
 bool isCertain(const PackBlock& block, std::size_t lane);
+
+/// And that drag slows it down in none of them faster than that.
+bool slowsSlowly(const PackBlock& block, const PushBlock& push, std::size_t lane);
 
 /// Whether the numbers that stay the same allow that, for ever.
 bool staysModest(const PackBlock& block, std::size_t lane);

@@ -118,6 +118,22 @@ RIGID_BODY_SIM_INLINE Twin<kLanes> positivePart(const Twin<kLanes>& x) {
   return {positivePart(x.a), positivePart(x.b)};
 }
 
+/// 1 where x > 0, else 0.
+RIGID_BODY_SIM_INLINE double oneWherePositive(double x) { return x > 0 ? 1 : 0; }
+
+template <int kLanes>
+RIGID_BODY_SIM_INLINE Pack<kLanes> oneWherePositive(const Pack<kLanes>& x) {
+  typedef long long Bits __attribute__((vector_size(8 * kLanes)));
+  Pack<kLanes> one(1.0);
+  one.v = (typename VectorOf<kLanes>::Type)((Bits)one.v & (Bits)(x.v > 0.0));
+  return one;
+}
+
+template <int kLanes>
+RIGID_BODY_SIM_INLINE Twin<kLanes> oneWherePositive(const Twin<kLanes>& x) {
+  return {oneWherePositive(x.a), oneWherePositive(x.b)};
+}
+
 RIGID_BODY_SIM_INLINE bool anyNonZero(double x) { return x != 0; }
 
 template <int kLanes>

@@ -24,7 +24,8 @@ enum PackColumn : int {
   kPackColumns = 32
 };
 
-/// What torques and forces in body axes are made of, of bodies on which such act; see HeldWrench.
+/// What torques, forces in body axes and drag are made of, of bodies on which such act; see
+/// HeldWrench and Drag.
 enum PushColumn : int {
   kWeightColumn = 0,      ///< [N] of gravity, three columns; kForceColumn is then without
   kBodyForceColumn = 3,   ///< [N] f_P, three
@@ -32,7 +33,14 @@ enum PushColumn : int {
   kBodyCoupleColumn = 9,  ///< [N m] tau_P, three
   kArmColumn = 12,        ///< [m] arm_P of a force at a point of the body, three
   kArmForceColumn = 15,   ///< [N] that force, three
-  kPushColumns = 18
+  kLinearDragColumn = 18,
+  kQuadraticDragColumn = 19,
+  kAngularDragColumn = 20,
+  kSpinDecayColumn = 21,    ///< [1/s] angular drag over the moments, three
+  kSlowingColumn = 24,      ///< drag at rest slows by that share of what a step follows
+  kSlowingGainColumn = 25,  ///< [1/(N s)] times |p|: quadratic drag, beside it
+  kImpulseColumn = 26,      ///< [N s] by which |p| may grow while steps are certain
+  kPushColumns = 27
 };
 
 /// Eight bodies. A column is one line of the processor's cache, so that what an integrator does not
@@ -55,21 +63,27 @@ struct alignas(64) PushBlock {
 enum class PackKind { kSemiImplicitEuler, kStrang02, kStrang20, kStrang12, kMagnus4, kRk4 };
 constexpr std::size_t kPackKinds = 6;
 
+/// What acts beside a force in world axes at the centre of mass.
+enum class PackLoad {
+  kNone,
+  kPush,  ///< torques, forces in body axes and at a point of the body
+  kDrag   ///< drag, and any of these
+};
+constexpr std::size_t kPackLoads = 3;
+
 /// Takes `count` steps of the lengths h [s] with the first `bodies` bodies of some blocks. Those
-/// that share a pack with the last may be stepped, too. pushes: block by block; null of bodies
-/// without torque.
+/// that share a pack with the last may be stepped, too. pushes: block by block; null without load.
 using PackStep = void (*)(const double* h, int count, PackBlock* blocks, const PushBlock* pushes,
                           std::size_t bodies);
 
 /// The steps of one width. All widths give the same bits.
 struct PackKernels {
-  std::size_t lanes;                  ///< bodies at once
-  const char* instructions;           ///< such as "AVX2"; empty: those that every processor has
-  PackStep steps[kPackKinds];         ///< of bodies without torque
-  PackStep pushed_steps[kPackKinds];  ///< of others
+  std::size_t lanes;         ///< bodies at once
+  const char* instructions;  ///< such as "AVX2"; empty: those that every processor has
+  PackStep steps[kPackLoads][kPackKinds];
 
-  PackStep step(PackKind kind, bool pushed = false) const {
-    return (pushed ? pushed_steps : steps)[static_cast<std::size_t>(kind)];
+  PackStep step(PackKind kind, PackLoad load) const {
+    return steps[static_cast<std::size_t>(load)][static_cast<std::size_t>(kind)];
   }
 };
 

@@ -18,9 +18,8 @@ RIGID_BODY_SIM_INLINE NoPush pushOf(const NoPush* /*none*/, const PushBlock* /*n
   return {};
 }
 
-template <class T>
-RIGID_BODY_SIM_INLINE PushLanes<T> pushOf(const PushLanes<T>* /*none*/, const PushBlock* pushes,
-                                          std::size_t lane) {
+template <class T, class Push>
+RIGID_BODY_SIM_INLINE Push pushOf(const Push* /*none*/, const PushBlock* pushes, std::size_t lane) {
   return {pushes[lane / PackBlock::kLanes], lane % PackBlock::kLanes};
 }
 
@@ -68,8 +67,11 @@ void widest(const double* h, int count, PackBlock* blocks, const PushBlock* push
         step<StrangPack<2, 0>, T, Push>, step<StrangPack<1, 2>, T, Push>,  \
         step<Magnus4Pack, T, Push>, step<Rk4Pack, T, Push>                 \
   }
-#define RIGID_BODY_SIM_PACK_STEPS(step, T) \
-  RIGID_BODY_SIM_STEPS_WITH(step, T, NoPush), RIGID_BODY_SIM_STEPS_WITH(step, T, PushLanes<T>)
+#define RIGID_BODY_SIM_PACK_STEPS(step, T)                                                        \
+  {                                                                                               \
+    RIGID_BODY_SIM_STEPS_WITH(step, T, NoPush), RIGID_BODY_SIM_STEPS_WITH(step, T, PushLanes<T>), \
+        RIGID_BODY_SIM_STEPS_WITH(step, T, DragLanes<T>)                                          \
+  }
 
 std::vector<PackKernels> kernelsOfThisProcessor() {
   std::vector<PackKernels> kernels{{1, "", RIGID_BODY_SIM_PACK_STEPS(narrow, double)},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/laws/drag_flow.hpp"
 #include "dynamics/packs/pack.hpp"
 #include "dynamics/packs/pack_block.hpp"
 #include "dynamics/rotation/free_motion.hpp"
@@ -82,35 +83,80 @@ class PushLanes {
       : block_(block), lane_(lane) {}
 
   /// As HeldWrench::at, and gravity.
-  RIGID_BODY_SIM_INLINE PackWrench<T> at(const Triple<T>& f_W, const Quad<T>& q) const {
+  RIGID_BODY_SIM_INLINE PackWrench<T> held(const Triple<T>& f_W, const Quad<T>& q) const {
     return {(f_W + rotate(q, tripleAt(kBodyForceColumn))) + tripleAt(kWeightColumn),
             tripleAt(kCoupleColumn),
             tripleAt(kBodyCoupleColumn) +
                 cross(tripleAt(kArmColumn), rotateBack(q, tripleAt(kArmForceColumn)))};
   }
 
- private:
-  RIGID_BODY_SIM_INLINE Triple<T> tripleAt(int column) const {
-    Triple<T> v;
-    load(block_.columns[column] + lane_, v.x);
-    load(block_.columns[column + 1] + lane_, v.y);
-    load(block_.columns[column + 2] + lane_, v.z);
-    return v;
+  /// All that acts, at the velocity v_W and the angular velocity w_P.
+  RIGID_BODY_SIM_INLINE PackWrench<T> all(const Triple<T>& f_W, const Quad<T>& q,
+                                          const Triple<T>& /*v_W*/,
+                                          const Triple<T>& /*w_P*/) const {
+    return held(f_W, q);
   }
 
+  /// As `kick` of free_motion.hpp; returns L_P.
+  RIGID_BODY_SIM_INLINE Triple<T> kick(double h, const Quad<T>& q, const Triple<T>& L_P,
+                                       PackLanes<T>& lanes) const {
+    const PackWrench<T> wrench = held(lanes.tripleAt(kForceColumn), q);
+    lanes.put(kMomentumColumn, lanes.tripleAt(kMomentumColumn) + h * wrench.f_W);
+    lanes.put(kWorldSpinColumn,
+              lanes.tripleAt(kWorldSpinColumn) + h * (wrench.tau_W + rotate(q, wrench.tau_P)));
+    return L_P + h * (rotateBack(q, wrench.tau_W) + wrench.tau_P);
+  }
+
+ protected:
+  RIGID_BODY_SIM_INLINE T at(int column) const {
+    T value;
+    load(block_.columns[column] + lane_, value);
+    return value;
+  }
+  RIGID_BODY_SIM_INLINE Triple<T> tripleAt(int column) const {
+    return {at(column), at(column + 1), at(column + 2)};
+  }
+
+ private:
   const PushBlock& block_;
   std::size_t lane_;
 };
 
-/// As `kick` of free_motion.hpp; returns L_P.
+/// The same with drag.
 template <class T>
-RIGID_BODY_SIM_INLINE Triple<T> kickLanes(double h, const PackWrench<T>& wrench, const Quad<T>& q,
-                                          const Triple<T>& L_P, PackLanes<T>& lanes) {
-  lanes.put(kMomentumColumn, lanes.tripleAt(kMomentumColumn) + h * wrench.f_W);
-  lanes.put(kWorldSpinColumn,
-            lanes.tripleAt(kWorldSpinColumn) + h * (wrench.tau_W + rotate(q, wrench.tau_P)));
-  return L_P + h * (rotateBack(q, wrench.tau_W) + wrench.tau_P);
-}
+class DragLanes : public PushLanes<T> {
+ public:
+  using PushLanes<T>::PushLanes;
+
+  /// As Drag::addWrenches.
+  RIGID_BODY_SIM_INLINE PackWrench<T> all(const Triple<T>& f_W, const Quad<T>& q,
+                                          const Triple<T>& v_W, const Triple<T>& w_P) const {
+    const PackWrench<T> held = this->held(f_W, q);
+    const T drag = this->at(kLinearDragColumn) + this->at(kQuadraticDragColumn) * speedOf(v_W);
+    return {held.f_W - drag * v_W, held.tau_W, held.tau_P - this->at(kAngularDragColumn) * w_P};
+  }
+
+  /// As Drag::kick; returns L_P.
+  RIGID_BODY_SIM_INLINE Triple<T> kick(double h, const Quad<T>& q, const Triple<T>& L_P,
+                                       PackLanes<T>& lanes) const {
+    const PackWrench<T> wrench = this->held(lanes.tripleAt(kForceColumn), q);
+    const DragNumbers<T> drag{this->at(kLinearDragColumn), this->at(kQuadraticDragColumn),
+                              this->at(kAngularDragColumn)};
+    lanes.put(kMomentumColumn, relaxedMomentum(drag, lanes.at(kMassColumn),
+                                               lanes.tripleAt(kMomentumColumn), wrench.f_W, h));
+    const Triple<T> tau_P = wrench.tau_P + rotateBack(q, wrench.tau_W);
+    const Triple<T> rate = this->tripleAt(kSpinDecayColumn);
+    Triple<T> share{T(1.0), T(1.0), T(1.0)};
+    if (anyNonZero(drag.angular))
+      share = {smallDecayShare(T(rate.x * h)), smallDecayShare(T(rate.y * h)),
+               smallDecayShare(T(rate.z * h))};
+    const Triple<T> gain_P{relaxedGain(share.x, tau_P.x, rate.x, L_P.x, h),
+                           relaxedGain(share.y, tau_P.y, rate.y, L_P.y, h),
+                           relaxedGain(share.z, tau_P.z, rate.z, L_P.z, h)};
+    lanes.put(kWorldSpinColumn, lanes.tripleAt(kWorldSpinColumn) + rotate(q, gain_P));
+    return L_P + gain_P;
+  }
+};
 
 /// x += h p/m
 template <class T>

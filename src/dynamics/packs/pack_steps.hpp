@@ -5,17 +5,17 @@
 /// Steps of the integrators for bodies by themselves, T: double or a pack. The drifts are those of
 /// free_motion.hpp, which the methods themselves take. Only the order of kicks and drifts, and the
 /// stages of rk4, stand here and there: the methods have many bodies, laws and wrenches, and this
-/// nothing but numbers. Push: NoPush, or the PushLanes that act.
+/// nothing but numbers. Push: NoPush, PushLanes or DragLanes.
 namespace rigid_body_sim {
 
 struct SemiImplicitEulerPack {
-  template <class T>
-  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes, const PushLanes<T>& push) {
+  template <class T, class Push>
+  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes, const Push& push) {
     const Triple<T> inv_I = lanes.tripleAt(kRotationColumn);
     Quad<T> q = lanes.quadAt(kAttitudeColumn);
     Triple<T> L_P = lanes.tripleAt(kSpinColumn);
     magnify(h, inv_I, L_P, lanes);
-    L_P = kickLanes(h, push.at(lanes.tripleAt(kForceColumn), q), q, L_P, lanes);
+    L_P = push.kick(h, q, L_P, lanes);
     driftLanes(h, lanes);
     driftAlongOmega(inv_I, h, lanes.tripleAt(kWorldSpinColumn), q, L_P);
     lanes.put(kAttitudeColumn, q);
@@ -85,15 +85,14 @@ struct KickDriftKickPack {
     lanes.put(kSpinColumn, plusZero(L_P));
   }
 
-  template <class T>
-  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes, const PushLanes<T>& push) {
-    const Triple<T> f_W = lanes.tripleAt(kForceColumn);
+  template <class T, class Push>
+  static RIGID_BODY_SIM_INLINE void step(double h, PackLanes<T>& lanes, const Push& push) {
     Quad<T> q = lanes.quadAt(kAttitudeColumn);
-    Triple<T> L_P = kickLanes(0.5 * h, push.at(f_W, q), q, lanes.tripleAt(kSpinColumn), lanes);
+    Triple<T> L_P = push.kick(0.5 * h, q, lanes.tripleAt(kSpinColumn), lanes);
     driftLanes(h, lanes);
     Drift::turn(h, lanes, q, L_P);
     lanes.put(kAttitudeColumn, q);
-    lanes.put(kSpinColumn, kickLanes(0.5 * h, push.at(f_W, q), q, L_P, lanes));
+    lanes.put(kSpinColumn, push.kick(0.5 * h, q, L_P, lanes));
   }
 };
 
@@ -182,7 +181,7 @@ struct Rk4Pack {
     rate.q = product(q, Quad<T>{0.5 * w.x, 0.5 * w.y, 0.5 * w.z, T(0.0)});
     rate.L_P = gyroscopicTorque(lanes.tripleAt(kDifferencesColumn), w);
     if constexpr (Push::kActs) {
-      const PackWrench<T> wrench = push.at(rate.p, q);
+      const PackWrench<T> wrench = push.all(rate.p, q, rate.x, w);
       rate.p = wrench.f_W;
       rate.L_P = (rate.L_P + rotateBack(q, wrench.tau_W)) + wrench.tau_P;
     } else {

@@ -53,15 +53,13 @@ std::vector<std::size_t> Packs::bodies() const {
 
 std::vector<std::size_t> Packs::takeOffers() { return std::exchange(offered_, {}); }
 
-Packs::Shelf& Packs::shelfOf(PackKind kind, bool pushed, const Method& method,
+Packs::Shelf& Packs::shelfOf(PackKind kind, PackLoad load, const Method& method,
                              std::uint32_t& index) {
-  const auto fits = [&](const Shelf& shelf) {
-    return shelf.kind == kind && shelf.pushed == pushed;
-  };
+  const auto fits = [&](const Shelf& shelf) { return shelf.kind == kind && shelf.load == load; };
   const auto found = std::find_if(shelves_.begin(), shelves_.end(), fits);
   index = static_cast<std::uint32_t>(found - shelves_.begin());
   if (found != shelves_.end()) return *found;
-  shelves_.push_back({kind, pushed, &method, {}, {}, {}});
+  shelves_.push_back({kind, load, &method, {}, {}, {}});
   return shelves_.back();
 }
 
@@ -72,17 +70,20 @@ bool Packs::add(std::size_t body, const SteadyMotion& motion, const BodyState& s
   PackBlock alone = emptyBlock();
   PushBlock push{};
   putBody(motion, *kind, time_step_, state, alone, 0);
-  const bool pushed = putPush(motion, push, 0);
-  if (!isCertain(alone, 0) || !staysModest(alone, 0) || !staysModest(push, 0)) return false;
+  const PackLoad load = putPush(motion, time_step_, push, 0);
+  const bool loaded = load != PackLoad::kNone;
+  const bool is_certain = isCertain(alone, 0) && staysModest(alone, 0) && staysModest(push, 0) &&
+                          slowsSlowly(alone, push, 0);
+  if (!is_certain) return false;
   std::uint32_t index = 0;
-  Shelf& shelf = shelfOf(*kind, pushed, *motion.method, index);
+  Shelf& shelf = shelfOf(*kind, load, *motion.method, index);
   const std::size_t lane = shelf.lanes.size();
   if (lane % PackBlock::kLanes == 0) {
     shelf.blocks.push_back(emptyBlock());
-    if (pushed) shelf.pushes.push_back({});
+    if (loaded) shelf.pushes.push_back({});
   }
   copyLane(alone, 0, shelf.blocks.back(), lane % PackBlock::kLanes);
-  if (pushed) copyLane(push, 0, shelf.pushes.back(), lane % PackBlock::kLanes);
+  if (loaded) copyLane(push, 0, shelf.pushes.back(), lane % PackBlock::kLanes);
   shelf.lanes.push_back({body, steps, motion.wrenches_current, next_event});
   places_[body] = {index, static_cast<std::uint32_t>(lane)};
   new_.push_back(body);
@@ -96,7 +97,8 @@ void Packs::putLast(std::size_t lane, Shelf& shelf) {
   constexpr std::size_t kLanes = PackBlock::kLanes;
   const std::size_t last = (shelf.lanes.size() - 1) % kLanes;
   copyLane(shelf.blocks.back(), last, shelf.blocks[lane / kLanes], lane % kLanes);
-  if (shelf.pushed) copyLane(shelf.pushes.back(), last, shelf.pushes[lane / kLanes], lane % kLanes);
+  if (!shelf.pushes.empty())
+    copyLane(shelf.pushes.back(), last, shelf.pushes[lane / kLanes], lane % kLanes);
   shelf.lanes[lane] = shelf.lanes.back();
   places_[shelf.lanes[lane].body].lane = static_cast<std::uint32_t>(lane);
 }
@@ -109,10 +111,10 @@ void Packs::remove(std::size_t body) {
   const std::size_t last_lane = shelf.lanes.size() % PackBlock::kLanes;
   if (last_lane == 0) {
     shelf.blocks.pop_back();
-    if (shelf.pushed) shelf.pushes.pop_back();
+    if (!shelf.pushes.empty()) shelf.pushes.pop_back();
   } else {
     copyLane(emptyBlock(), 0, shelf.blocks.back(), last_lane);
-    if (shelf.pushed) copyLane(PushBlock{}, 0, shelf.pushes.back(), last_lane);
+    if (!shelf.pushes.empty()) copyLane(PushBlock{}, 0, shelf.pushes.back(), last_lane);
   }
   --size_;
 }
@@ -152,7 +154,7 @@ Packs::Stepped Packs::steppedTo(std::size_t body, std::int64_t steps) const {
 
 /// As methods add a torque of zero to L_W: a zero gets its sign.
 void Packs::addNoTorque(const Place& place) {
-  if (shelves_[place.shelf].pushed) return;
+  if (shelves_[place.shelf].load != PackLoad::kNone) return;
   PackBlock& block = shelves_[place.shelf].blocks[place.lane / PackBlock::kLanes];
   for (int i = 0; i < 3; ++i)
     block.columns[kWorldSpinColumn + i][place.lane % PackBlock::kLanes] += 0.0;
@@ -168,7 +170,7 @@ void Packs::advance(std::int64_t steps, std::int64_t count) {
                  static_cast<double>(steps + k) * time_step_;
   for (Shelf& shelf : shelves_) {
     const std::size_t bodies = shelf.lanes.size();
-    packKernelsFor(bodies).step(shelf.kind, shelf.pushed)(
+    packKernelsFor(bodies).step(shelf.kind, shelf.load)(
         lengths, static_cast<int>(count), shelf.blocks.data(), shelf.pushes.data(), bodies);
   }
   certain_steps_ -= count;
@@ -178,9 +180,11 @@ std::vector<std::size_t> Packs::review() {
   std::vector<std::size_t> uncertain;
   for (const Shelf& shelf : shelves_)
     for (std::size_t b = 0; b < shelf.blocks.size(); ++b) {
-      if (isCertain(shelf.blocks[b])) continue;
+      const bool drags = shelf.load == PackLoad::kDrag;
+      if (!drags && isCertain(shelf.blocks[b])) continue;
       for (std::size_t k = 0; k < PackBlock::kLanes; ++k)
-        if (!isCertain(shelf.blocks[b], k))
+        if (!isCertain(shelf.blocks[b], k) ||
+            (drags && !slowsSlowly(shelf.blocks[b], shelf.pushes[b], k)))
           uncertain.push_back(shelf.lanes[b * PackBlock::kLanes + k].body);
     }
   certain_steps_ = kCertainSteps;

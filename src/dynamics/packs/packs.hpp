@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/drag.hpp>
+
 #include "dynamics/methods/catalogue.hpp"
 #include "dynamics/packs/pack_block.hpp"
 #include "dynamics/wrenches/held_wrench.hpp"
@@ -18,6 +20,7 @@ struct SteadyMotion {
   double max_turn;                   ///< |ω| h [rad] up to which a step is not divided
   Vector3d weight_W;                 ///< [N] of gravity
   const HeldWrench* held = nullptr;  ///< null: nothing
+  const Drag* drag = nullptr;        ///< null: none
   bool wrenches_current = false;     ///< see Workspace
   double magnification = 0;          ///< see Stepper
 };
@@ -117,16 +120,16 @@ class Packs {
   /// Bodies that are stepped by the same function.
   struct Shelf {
     PackKind kind;
-    bool pushed;
+    PackLoad load;
     const Method* method;
     std::vector<PackBlock> blocks;
-    std::vector<PushBlock> pushes;  // block by block; none of bodies without torque
+    std::vector<PushBlock> pushes;  // block by block; none without load
     std::vector<Lane> lanes;
   };
 
   void addNoTorque(const Place& place);
   void putLast(std::size_t lane, Shelf& shelf);
-  Shelf& shelfOf(PackKind kind, bool pushed, const Method& method, std::uint32_t& index);
+  Shelf& shelfOf(PackKind kind, PackLoad load, const Method& method, std::uint32_t& index);
   static std::int64_t evaluationsOf(const Shelf& shelf, const Lane& lane, std::int64_t steps);
 
   double time_step_ = 0;

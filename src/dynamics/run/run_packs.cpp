@@ -6,10 +6,19 @@
 /// How bodies move between their groups and packs, and how packs are stepped.
 namespace rigid_body_sim {
 
+namespace {
+
+const Drag* asDrag(const std::shared_ptr<const ForceLaw>& law) {
+  return dynamic_cast<const Drag*>(law.get());
+}
+
+}  // namespace
+
 std::optional<SteadyMotion> Group::steadyMotion() const {
-  const bool no_laws =
-      system_.laws.empty() && system_.flows.empty() && system_.stateful_laws.empty();
-  const bool is_steady = stepper_ && bodies_.members.size() == 1 && no_laws &&
+  const Drag* drag = system_.flows.size() == 1 ? asDrag(system_.flows.front()) : nullptr;
+  const bool no_other_laws =
+      system_.laws.empty() && system_.stateful_laws.empty() && (system_.flows.empty() || drag);
+  const bool is_steady = stepper_ && bodies_.members.size() == 1 && no_other_laws &&
                          system_.coupled.empty() && hasPackSteps(system_.held[0]) &&
                          system_.pivots.empty() && system_.driven.empty() && !isAtRest() &&
                          stepper_->takesWholeSteps();
@@ -21,6 +30,7 @@ std::optional<SteadyMotion> Group::steadyMotion() const {
                       choice.method->max_turn * choice.max_turn_share,
                       body.mass * system_.g_W,
                       &system_.held[0],
+                      drag,
                       stepper_->wrenchesCurrent(),
                       stepper_->magnification()};
 }
@@ -40,11 +50,11 @@ void Stepper::goOnFrom(const System& system, const SystemState& states,
   magnification_ = stepped.magnification;
 }
 
-/// Laws look for bodies in their groups: none may be elsewhere.
+/// Other laws than drag look for bodies in their groups: none may be elsewhere.
 void RunState::beginPacks() {
   const std::string& integrator = world->solver.integrator;
-  const bool is_fit =
-      integrator != "auto" && hasPackSteps(methodNamed(integrator)) && world->laws.empty();
+  const bool is_fit = integrator != "auto" && hasPackSteps(methodNamed(integrator)) &&
+                      std::all_of(world->laws.begin(), world->laws.end(), asDrag);
   packs = is_fit ? Packs(world->bodies.size(), world->solver.time_step) : Packs();
   offerAll();
 }

@@ -14,13 +14,14 @@ namespace {
 using test::packedIntegrators;
 
 struct Blocks {
+  PackLoad load;
   std::vector<PackBlock> blocks;
   std::vector<PushBlock> pushes;
 
   std::size_t lanes() const { return blocks.size() * PackBlock::kLanes; }
   void step(const PackKernels& kernels, PackKind kind, const double* h, int count,
             std::size_t bodies) {
-    kernels.step(kind, !pushes.empty())(h, count, blocks.data(), pushes.data(), bodies);
+    kernels.step(kind, load)(h, count, blocks.data(), pushes.data(), bodies);
   }
 };
 
@@ -28,10 +29,11 @@ bool sameBlocks(const Blocks& a, const Blocks& b, std::size_t count) {
   return std::memcmp(a.blocks.data(), b.blocks.data(), count * sizeof(PackBlock)) == 0;
 }
 
-/// pushed: by a wrench of each kind, at every other body a force at a point of it.
+/// With load a wrench of each kind, at every other body a force at a point of it; drag of which
+/// one part or another is missing.
 Blocks blocksOf(const test::Bench& bench, const std::string& integrator, PackKind kind, double h,
-                bool pushed) {
-  Blocks all;
+                PackLoad load) {
+  Blocks all{load, {}, {}};
   std::size_t count = 0;
   Draw draw(3);
   for (std::size_t i = 0; i < bench.world.bodies.size(); ++i) {
@@ -39,19 +41,22 @@ Blocks blocksOf(const test::Bench& bench, const std::string& integrator, PackKin
     const Method& method = methodNamed(integrator);
     HeldWrench held;
     held.f_W = draw.vector(1);
-    if (pushed) {
+    if (load != PackLoad::kNone) {
       held.f_P = draw.vector(1);
       held.tau_W = draw.vector(0.1);
       held.tau_P = draw.vector(0.1);
       if (i % 2 == 0) held.body_point_forces.push_back({draw.vector(0.1), draw.vector(1)});
     }
-    const SteadyMotion motion{&body, &method, method.max_turn, body.mass * bench.world.g_W, &held};
+    const Drag drag(i, {i % 3 ? 0.3 : 0, i % 4 < 2 ? 0.2 : 0, i % 5 ? 0.1 : 0});
+    SteadyMotion motion{&body, &method, method.max_turn, body.mass * bench.world.g_W, &held};
+    if (load == PackLoad::kDrag) motion.drag = &drag;
     if (packKindOf(motion) != kind) continue;
     const std::size_t lane = count++ % PackBlock::kLanes;
     if (lane == 0) all.blocks.push_back(emptyBlock());
-    if (lane == 0 && pushed) all.pushes.push_back({});
+    if (lane == 0 && load != PackLoad::kNone) all.pushes.push_back({});
     putBody(motion, kind, h, bench.initial.bodies[i], all.blocks.back(), lane);
-    EXPECT_EQ(pushed && putPush(motion, all.pushes.back(), lane), pushed);
+    PushBlock none{};
+    EXPECT_EQ(putPush(motion, h, load == PackLoad::kNone ? none : all.pushes.back(), lane), load);
   }
   return all;
 }
@@ -74,13 +79,15 @@ const std::pair<const char*, PackKind> kKinds[]{
     {"magnus4", PackKind::kMagnus4},
     {"rk4", PackKind::kRk4}};
 
+constexpr PackLoad kLoads[]{PackLoad::kNone, PackLoad::kPush, PackLoad::kDrag};
+
 TEST(PackKernels, GiveTheSameBitsAtEveryWidth) {
   const test::Bench bench = test::thrownBodies(120);
   ASSERT_GE(packKernels().size(), 2u);
   ASSERT_EQ(packKernels().front().lanes, 1u);
-  for (const bool pushed : {false, true})
+  for (const PackLoad load : kLoads)
     for (const auto& [integrator, kind] : kKinds) {
-      const Blocks start = blocksOf(bench, integrator, kind, 0.01, pushed);
+      const Blocks start = blocksOf(bench, integrator, kind, 0.01, load);
       ASSERT_GE(start.blocks.size(), 2u) << integrator;
       Blocks one_by_one = start;
       one_by_one.step(packKernels().front(), kind, stepLengths(), 50, start.lanes());
@@ -96,10 +103,10 @@ TEST(PackKernels, GiveTheSameBitsAtEveryWidth) {
 
 TEST(PackKernels, TakeSeveralStepsAsOneByOne) {
   const test::Bench bench = test::thrownBodies(200);
-  for (const bool pushed : {false, true})
+  for (const PackLoad load : kLoads)
     for (const auto& [integrator, kind] : kKinds)
       for (const PackKernels& kernels : packKernels()) {
-        Blocks at_once = blocksOf(bench, integrator, kind, 0.01, pushed);
+        Blocks at_once = blocksOf(bench, integrator, kind, 0.01, load);
         Blocks singly = at_once;
         at_once.step(kernels, kind, stepLengths(), 9, at_once.lanes());
         for (int k = 0; k < 9; ++k)
@@ -109,8 +116,8 @@ TEST(PackKernels, TakeSeveralStepsAsOneByOne) {
 }
 
 TEST(PackKernels, LeaveBodiesAloneThatAreNotAsked) {
-  for (const bool pushed : {false, true}) {
-    const Blocks start = blocksOf(test::thrownBodies(40), "rk4", PackKind::kRk4, 0.01, pushed);
+  for (const PackLoad load : kLoads) {
+    const Blocks start = blocksOf(test::thrownBodies(40), "rk4", PackKind::kRk4, 0.01, load);
     for (const PackKernels& kernels : packKernels()) {
       Blocks stepped = start;
       stepped.step(kernels, PackKind::kRk4, stepLengths(), 3, PackBlock::kLanes);
