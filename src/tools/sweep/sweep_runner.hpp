@@ -80,6 +80,8 @@ class SweepRunner {
   Built build();
   void setValues(std::int64_t number);
   void checkPath(std::size_t index);
+  bool differAmong(const std::vector<SceneValue>& values, std::size_t index);
+  bool reachesBesideOthers(std::size_t index);
   std::vector<SceneValue> probesOf(std::size_t index) const;
   std::optional<Built> builtWith(std::size_t index, const SceneValue& value, std::string& refusal);
   std::optional<State> endOf(const Built& built) const;

@@ -168,6 +168,26 @@ bodies:
   }
 }
 
+// The frame of a twist counts once the body is turned, which here varies, too.
+TEST(SweepProgram, VariesWhatCountsBesideOtherPathsAlone) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", test::kPushedBall);
+  const auto run = [&](const std::string& more) {
+    return sweep(scene + " " +
+                     files.written("study.yaml",
+                                   "runs: 4\nvary:\n  bodies.ball.twist.frame: {list: "
+                                   "[world, body]}\n" +
+                                       more) +
+                     " --out " + files.path("out"),
+                 "PATH=/nonexistent");
+  };
+  EXPECT_EQ(run("  bodies.ball.orientation: {rotation: {}}\n").exit_code, 0);
+  EXPECT_EQ(test::tableAt(files.path("out/runs.csv")).at("status").size(), 4U);
+  for (const char* more : {"", "  bodies.ball.mass: {uniform: [1, 2]}\n"})
+    EXPECT_NE(run(more).out.find(":3: vary: 'bodies.ball.twist.frame' varies nothing"),
+              std::string::npos);
+}
+
 TEST(SweepProgram, LeavesATableAloneThatAnotherSweepIsWriting) {
   const TemporaryDirectory files;
   const std::string scene = files.written("scene.yaml", test::kPushedBall);
