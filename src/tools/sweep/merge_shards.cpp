@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "programs/make_directory.hpp"
 #include "programs/usage.hpp"
@@ -100,33 +102,69 @@ SweepInfo checked(const std::map<std::int64_t, ShardFiles>& shards) {
   return info;
 }
 
+/// The lines of a table, read piece by piece: there may be more shards than files that a process
+/// may have open.
+class TableLines {
+ public:
+  TableLines(std::string path, std::size_t piece) : path_(std::move(path)), piece_(piece) {}
+
+  const std::string& path() const { return path_; }
+
+  /// False at the end.
+  bool next(std::string& line) {
+    std::size_t end = 0;
+    while ((end = text_.find('\n', begin_)) == std::string::npos)
+      if (!readOn()) return false;
+    line.assign(text_, begin_, end - begin_);
+    begin_ = end + 1;
+    return true;
+  }
+
+ private:
+  bool readOn() {
+    std::ifstream in(path_, std::ios::binary);
+    in.seekg(offset_);
+    text_.erase(0, begin_);
+    begin_ = 0;
+    const std::size_t kept = text_.size();
+    text_.resize(kept + piece_);
+    in.read(text_.data() + kept, static_cast<std::streamsize>(piece_));
+    text_.resize(kept + static_cast<std::size_t>(in.gcount()));
+    offset_ += in.gcount();
+    return in.gcount() > 0;
+  }
+
+  std::string path_;
+  std::size_t piece_;
+  std::streamoff offset_ = 0;  // of what is to be read next
+  std::string text_;
+  std::size_t begin_ = 0;  // in the text, of the next line
+};
+
 /// One line of each table in turn, as long as there are any. Shards differ by one row at most.
 void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::string& stem,
                 const std::string& out) {
-  constexpr std::size_t kPiece = 1 << 20;
-  struct Table {
-    std::string path;
-    const Shard& shard;
-    std::ifstream in;
-  };
-  std::vector<Table> tables;
+  constexpr std::size_t kPiece = 1 << 20, kAllPieces = 16 << 20;
+  const std::size_t piece = std::clamp<std::size_t>(kAllPieces / shards.size(), 4096, kPiece);
+  std::vector<std::pair<TableLines, Shard>> tables;
   std::string line, header;
   for (const auto& [index, files] : shards) {
-    const std::string path = files.path(stem, ".csv");
-    tables.push_back({path, files.shard, std::ifstream(path, std::ios::binary)});
-    if (!std::getline(tables.back().in, line)) throw std::runtime_error(path + ": cannot be read");
+    tables.emplace_back(TableLines(files.path(stem, ".csv"), piece), files.shard);
+    TableLines& table = tables.back().first;
+    if (!table.next(line)) throw std::runtime_error(table.path() + ": cannot be read");
     if (index == 1) header = line;
     if (line != header)
-      throw std::runtime_error(path + ":1: has other columns than " + tables.front().path);
+      throw std::runtime_error(table.path() + ":1: has other columns than " +
+                               tables.front().first.path());
   }
   RunTable merged = RunTable::create(out, header);
   std::string rows;
   bool any = true;
   for (std::int64_t row = 0; any; ++row) {
     any = false;
-    for (Table& table : tables)
-      if (std::getline(table.in, line)) {
-        requireRowInPlace(table.path, row, line, table.shard);
+    for (auto& [table, shard] : tables)
+      if (table.next(line)) {
+        requireRowInPlace(table.path(), row, line, shard);
         any = true;
         rows += line + "\n";
       }

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -51,6 +52,38 @@ TEST(SweepProgram, GoesOnWithNoTableThatSomebodyHasChanged) {
   EXPECT_EQ(test::sweep(command + " --resume").out,
             "sweep: " + out + "/runs.csv: of which sweep it is would stand in " + out +
                 "/runs.info, which is not there; remove the table, or leave --resume out\n");
+}
+
+TEST(SweepProgram, MergesMoreShardsThanAProcessMayHaveFilesOpen) {
+  const TemporaryDirectory files;
+  constexpr int kShards = 60, kRuns = 90;
+  const std::string scene = files.written("scene.yaml", test::kPushedBall);
+  const std::string study =
+      files.written("study.yaml", "runs: " + std::to_string(kRuns) +
+                                      "\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
+  const std::string out = files.path("out");
+  ASSERT_EQ(test::sweep(scene + " " + study + " --out " + out, "PATH=/nonexistent").exit_code, 0);
+  // what the shards write are its rows
+  ASSERT_EQ(test::runCommand("mkdir " + files.path("shards")).exit_code, 0);
+  for (const char* stem : {"runs", "fan"}) {
+    std::ifstream in(out + "/" + stem + ".csv");
+    std::string line, header;
+    std::getline(in, header);
+    std::vector<std::string> tables(kShards, header + "\n");
+    for (std::size_t run = 0; std::getline(in, line); ++run) tables[run % kShards] += line + "\n";
+    for (int i = 0; i < kShards; ++i) {
+      const std::string name = std::to_string(i + 1) + "of" + std::to_string(kShards);
+      files.written("shards/" + std::string(stem) + "." + name + ".csv",
+                    tables[static_cast<std::size_t>(i)]);
+      files.written("shards/runs." + name + ".info", test::fileText(out + "/runs.info"));
+    }
+  }
+  const test::Outcome merged =
+      test::runCommand("bash -c 'ulimit -n 30; PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " merge " +
+                       files.path("shards") + " 2>&1'");
+  EXPECT_EQ(merged.exit_code, 0) << merged.out;
+  for (const char* name : {"runs.csv", "fan.csv", "summary.csv"})
+    EXPECT_EQ(test::fileText(files.path("shards/") + name), test::fileText(out + "/" + name));
 }
 
 }  // namespace rigid_body_sim
