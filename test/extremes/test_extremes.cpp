@@ -162,7 +162,7 @@ TEST(Extremes, OfPlaceBesideAPlaneAreFollowedOrRefused) {
   const Cells starts = contactStarts(10);
   expectWithin(1e-9, 1e-9, without({"1 m deep", "1e9 m deep"}, starts));
   for (const char* deep : {"1 m deep", "1e9 m deep"})
-    expectSaid("body 'box0': it lies wholly below the plane, its top by ", of(deep, starts));
+    expectSaid("body 'box0': position must leave some of it above the plane", of(deep, starts));
 }
 
 TEST(Extremes, OfScenesAreRefusedWithFileLineAndRule) {
