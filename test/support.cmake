@@ -2,6 +2,7 @@
 add_library(rigid_body_sim_extreme_cases STATIC EXCLUDE_FROM_ALL
   test/extremes/cell.cpp
   test/extremes/cell_lines.cpp
+  test/extremes/contacts.cpp
   test/extremes/free_bodies.cpp
   test/extremes/loads.cpp
   test/extremes/one_body.cpp

@@ -12,6 +12,13 @@ rigid_body_sim_benchmark(benchmark_crowds
   SOURCES test/benchmark/crowds.cpp test/benchmark/peers_engines.cpp test/benchmark/peers_ours.cpp
   LIBRARIES rigid_body_sim_core)
 
+# benchmark_touch_peers: the same engines, where bodies touch the ground
+rigid_body_sim_benchmark(benchmark_touch_peers
+  SOURCES test/benchmark/touch_peers.cpp test/benchmark/touch_peers_ours.cpp
+  LIBRARIES rigid_body_sim_core)
+# each engine has names and macros of its own
+set_target_properties(rigid_body_sim_benchmark_touch_peers PROPERTIES UNITY_BUILD OFF)
+
 function(rigid_body_sim_peer name)
   cmake_parse_arguments(ARG "" "" "INCLUDES;LIBRARIES" ${ARGN})
   message(STATUS "benchmark_peers: with ${name}")
@@ -21,6 +28,13 @@ function(rigid_body_sim_peer name)
     target_include_directories(${program} SYSTEM PRIVATE ${ARG_INCLUDES})
     target_link_libraries(${program} PRIVATE ${ARG_LIBRARIES})
   endforeach()
+  set(touch test/benchmark/touch_peers_${name}.cpp)
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${touch})  # a mere integrator
+    return()
+  endif()
+  target_sources(rigid_body_sim_benchmark_touch_peers PRIVATE ${touch})
+  target_include_directories(rigid_body_sim_benchmark_touch_peers SYSTEM PRIVATE ${ARG_INCLUDES})
+  target_link_libraries(rigid_body_sim_benchmark_touch_peers PRIVATE ${ARG_LIBRARIES})
 endfunction()
 
 find_package(Boost QUIET)
@@ -40,7 +54,8 @@ if(BULLET_INCLUDE_DIR AND BULLET_DYNAMICS_LIBRARY AND BULLET_COLLISION_LIBRARY
    AND BULLET_MATH_LIBRARY)
   rigid_body_sim_peer(bullet INCLUDES ${BULLET_INCLUDE_DIR}
     LIBRARIES ${BULLET_DYNAMICS_LIBRARY} ${BULLET_COLLISION_LIBRARY} ${BULLET_MATH_LIBRARY})
-  set_source_files_properties(test/benchmark/peers_bullet.cpp PROPERTIES
+  set_source_files_properties(
+    test/benchmark/peers_bullet.cpp test/benchmark/touch_peers_bullet.cpp PROPERTIES
     COMPILE_DEFINITIONS BT_USE_DOUBLE_PRECISION)
 endif()
 

@@ -34,6 +34,13 @@ std::vector<std::pair<std::string, Section>> sections() {
   named.emplace_back("tolerance", tolerances);
   named.emplace_back("crowd", [] { return crowds(kFewIntegrators, 100000); });
   named.emplace_back("schedule", [] { return schedules(kFewIntegrators, 100000); });
+  named.emplace_back("contact_stiffness", contactStiffnesses);
+  named.emplace_back("contact_mass", contactMasses);
+  named.emplace_back("contact_speed", contactSpeeds);
+  named.emplace_back("contact_drop", contactDrops);
+  named.emplace_back("contact_friction", contactFrictions);
+  named.emplace_back("contact_start", [] { return contactStarts(); });
+  named.emplace_back("contact_many", [] { return contactCrowds(1000); });
   named.emplace_back("refused", refusals);
   for (const std::string& integrator : kFreeIntegrators)
     named.emplace_back("growth", [integrator] { return growth(integrator, 1000000); });

@@ -8,7 +8,8 @@ namespace {
 
 std::string messageOf(const std::string& text) {
   try {
-    buildWorld(parseScene(text, "scene.yaml"));
+    const Scene scene = parseScene(text, "scene.yaml");
+    initialState(scene, buildWorld(scene));
   } catch (const SceneError& refused) {
     return refused.what();
   }
@@ -42,6 +43,10 @@ Cells refusals() {
       {"time step 1e-400", optionOf("time_step: 1.0e-400")},
       {"tolerance 0", optionOf("time_step: 0.01\ntolerance: 0")},
       {"gravity 1e309", optionOf("time_step: 0.01\ngravity: [0, 0, 1.0e309]")},
+      {"ball 1 km below the ground",
+       "time_step: 0.01\nbodies:\n  - {name: ground, shape: {plane: {}}, fixed: true}\n"
+       "  - {name: a, shape: {sphere: {radius: 1}}, mass: 1, position: [0, 0, -1000]}\n"
+       "forces:\n  - {type: contact, between: [a, ground], stiffness: 1.0e+6}\n"},
       {"wrench of duration 0", wrenchOf("start: 0, duration: 0")},
       {"wrench of 1e-12 s at 1e6 s", wrenchOf("start: 1.0e6, duration: 1.0e-12")},
       {"wrench of no known duration", wrenchOf("start: 0, duration: .nan")}};

@@ -43,6 +43,15 @@ Cells tolerances();
 Cells crowds(const Names& integrators, std::size_t bodies);
 Cells schedules(const Names& integrators, int entries);
 
+// bodies that touch the ground, by auto alone
+Cells contactStiffnesses();
+Cells contactMasses();
+Cells contactSpeeds();
+Cells contactDrops();
+Cells contactFrictions();
+Cells contactStarts(int steps = 100);
+Cells contactCrowds(std::size_t bodies);
+
 /// Those of one body without laws, in which an engine can take part like any integrator.
 using NamedSection = std::pair<std::string, std::function<Cells(const Names&)>>;
 std::vector<NamedSection> oneBodySections();

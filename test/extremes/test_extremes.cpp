@@ -149,6 +149,26 @@ TEST(Extremes, OfStiffnessStopTheRunWithAMessageOrWarn) {
   EXPECT_EQ(springs(kAuto, {1e12})[0].warned, "no integrator holds the scene's tolerance");
 }
 
+// closed forms of a ball on a linear spring; what is left is rounding
+TEST(Extremes, OfContactAreFollowed) {
+  expectWithin(0, 5e-12, contactStiffnesses());
+  expectWithin(0, 5e-12, contactMasses());
+  expectWithin(0, 5e-12, contactSpeeds());
+  expectWithin(0, 5e-10, contactDrops());
+}
+
+TEST(Extremes, OfFrictionLetABoxLandAndGainNothing) {
+  expectWithin(1e-9, 1e-9, contactFrictions());
+  expectWithin(1e-6, 1e-6, contactCrowds(20));
+}
+
+TEST(Extremes, OfPlaceBesideAPlaneAreFollowedOrRefused) {
+  const Cells starts = contactStarts(10);
+  expectWithin(1e-9, 1e-9, without({"1 m deep", "1e9 m deep"}, starts));
+  for (const char* deep : {"1 m deep", "1e9 m deep"})
+    expectSaid("body 'box0': position must leave some of it above the plane", of(deep, starts));
+}
+
 TEST(Extremes, OfScenesAreRefusedWithFileLineAndRule) {
   for (const Cell& c : refusals()) {
     expectSaid("scene.yaml:", {c});

@@ -4,6 +4,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
 
+#include "dynamics/contact/buried.hpp"
 #include "dynamics/run/coupling.hpp"
 #include "scene/build/body_mass.hpp"
 #include "scene/build/build_actuators.hpp"
@@ -92,6 +93,8 @@ State initialState(const Scene& scene, const World& world) {
       throw SceneError(scene.source, def.line,
                        "body '" + def.name + "': its position and momenta must be finite");
   }
+  if (const auto buried = findBuried(world, state.bodies))
+    throw SceneError(scene.source, scene.bodies[buried->body].line, buried->fault);
   return state;
 }
 
