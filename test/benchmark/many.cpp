@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "support/random_bodies.hpp"
 #include "support/worlds.hpp"
@@ -15,7 +16,11 @@
 namespace rigid_body_sim {
 namespace {
 
-test::Bench manyBodies(std::size_t count, bool pushed) {
+/// What acts beside gravity.
+enum class Load { kNone, kPush, kDrag };
+
+/// kPush: a force in world axes at a point of each body; kDrag: drag of every kind.
+test::Bench manyBodies(std::size_t count, Load load) {
   test::Bench bench;
   bench.world.g_W = {0, 0, -9.81};
   Draw draw(1);
@@ -24,7 +29,8 @@ test::Bench manyBodies(std::size_t count, bool pushed) {
     body.name += std::to_string(i);
     bench.initial.bodies.push_back(draw.state(body, 5));
     bench.world.bodies.push_back(body);
-    if (!pushed) continue;
+    if (load == Load::kDrag) bench.addDrag(i, {0.1, 0.1, 0.01});
+    if (load != Load::kPush) continue;
     PointWrench push;
     push.body = push.point_frame = i;
     push.force = draw.vector(1);
@@ -37,12 +43,12 @@ test::Bench manyBodies(std::size_t count, bool pushed) {
 
 struct Setting {
   const char* integrator;
-  bool pushed;    // each body by a force in world axes at a point of its own
+  Load load;
   int read_each;  // steps
 };
 
 double millionsPerSecond(const Setting& setting, std::size_t count, int steps, double budget) {
-  Simulation start = manyBodies(count, setting.pushed).simulation(setting.integrator, 1e-3);
+  Simulation start = manyBodies(count, setting.load).simulation(setting.integrator, 1e-3);
   std::vector<BodyState> states;
   start.step();  // what happens once is not counted
   const double seconds = leastCpuTime(
@@ -60,17 +66,17 @@ double millionsPerSecond(const Setting& setting, std::size_t count, int steps, d
 void printTable() {
   constexpr std::size_t kCounts[] = {1, 8, 100, 10000};
   constexpr int kSteps = 100;
-  std::printf("%-22s %-8s %-12s", "integrator", "pushed", "read each");
+  std::printf("%-22s %-8s %-12s", "integrator", "load", "read each");
   for (std::size_t count : kCounts) std::printf(" %9zu", count);
   std::printf("\n");
-  for (const bool pushed : {false, true})
+  for (const auto& [load, name] : {std::pair(Load::kNone, "none"), std::pair(Load::kPush, "push"),
+                                   std::pair(Load::kDrag, "drag")})
     for (const char* integrator : {"auto", "semi_implicit_euler", "strang", "magnus4", "rk4"})
       for (int read_each : {10, 1}) {
-        if (pushed && std::string(integrator) == "magnus4") continue;
-        std::printf("%-22s %-8s %-12d", integrator, pushed ? "yes" : "no", read_each);
+        if (load == Load::kDrag && std::string(integrator) == "auto") continue;
+        std::printf("%-22s %-8s %-12d", integrator, name, read_each);
         for (std::size_t count : kCounts)
-          std::printf(" %9.3g",
-                      millionsPerSecond({integrator, pushed, read_each}, count, kSteps, 1));
+          std::printf(" %9.3g", millionsPerSecond({integrator, load, read_each}, count, kSteps, 1));
         std::printf("\n");
         std::fflush(stdout);
       }
@@ -80,7 +86,7 @@ void printRow(std::size_t count) {
   std::printf("%zu bodies, read at every 100th step\n", count);
   for (const char* integrator : {"semi_implicit_euler", "strang", "magnus4", "rk4"})
     std::printf("%-22s %9.3g\n", integrator,
-                millionsPerSecond({integrator, false, 100}, count, 200, 0));
+                millionsPerSecond({integrator, Load::kNone, 100}, count, 200, 0));
 }
 
 }  // namespace
