@@ -26,9 +26,11 @@ double squaredLength(int column, const PackBlock& block, std::size_t lane) {
 
 /// Whether |L| leaves the turn of a step within what is followed.
 bool turnsSlowly(const PackBlock& block, std::size_t lane) {
-  const double L = std::sqrt(std::max(squaredLength(kSpinColumn, block, lane),
-                                      squaredLength(kWorldSpinColumn, block, lane)));
-  return block.columns[kTurnColumn][lane] * (L + block.columns[kGrowthColumn][lane]) <= kMaxShare;
+  const double turn = block.columns[kTurnColumn][lane], growth = block.columns[kGrowthColumn][lane];
+  const double square = std::max(squaredLength(kSpinColumn, block, lane),
+                                 squaredLength(kWorldSpinColumn, block, lane));
+  if (growth == 0) return turn * turn * square <= kMaxShare * kMaxShare;
+  return turn * (std::sqrt(square) + growth) <= kMaxShare;
 }
 
 /// [N m] The greatest torque that is held.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <iterator>
+
 #include "dynamics/packs/packs.hpp"
 
 /// One body of a block.
@@ -35,8 +37,8 @@ inline BodyState bodyIn(const PackBlock& block, std::size_t lane) {
 
 template <class Block>
 void copyLane(const Block& from, std::size_t from_lane, Block& to, std::size_t to_lane) {
-  constexpr std::size_t kColumns = sizeof from.columns / sizeof from.columns[0];
-  for (std::size_t c = 0; c < kColumns; ++c) to.columns[c][to_lane] = from.columns[c][from_lane];
+  for (std::size_t c = 0; c < std::size(from.columns); ++c)
+    to.columns[c][to_lane] = from.columns[c][from_lane];
 }
 
 /// What is certain for Packs::kCertainSteps steps: that a body turns in none of them further than

@@ -78,7 +78,7 @@ std::optional<ThetaRotation> ThetaRotation::of(const AsymmetricPath<double>& pat
 }
 
 /// In three parts, of which the first two have 26 bits.
-void ThetaRotation::setRate(ThetaNumber first, W rate) {
+void ThetaRotation::setRate(std::size_t first, W rate) {
   numbers_[first] = high(rate);
   rate -= numbers_[first];
   numbers_[first + 1] = high(rate);

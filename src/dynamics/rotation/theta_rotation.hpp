@@ -46,7 +46,7 @@ class ThetaRotation {
 
  private:
   ThetaRotation() = default;
-  void setRate(ThetaNumber first, Wide<double> rate);
+  void setRate(std::size_t first, Wide<double> rate);
   void setSeries(const AsymmetricPath<double>& path, Wide<double> nome, Wide<double> K);
   void setAmplitudes(const AsymmetricPath<double>& path, Wide<double> nome, double magnitude);
   void setBefore(const Quaterniond& q_WP);
