@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "programs/make_directory.hpp"
 #include "programs/package_directory.hpp"
@@ -15,6 +16,7 @@
 #include "scene/message_text.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/sweep/run_table.hpp"
+#include "tools/sweep/scene_files.hpp"
 #include "tools/sweep/stop_signals.hpp"
 
 namespace rigid_body_sim {
@@ -54,13 +56,22 @@ SweepJob::SweepJob(const SweepOptions& options)
   SweepRunner& runner = *runners_.front();
   runner.checkPaths();
   info_.title = baseName(options.scene) + ", " + baseName(options.study);
-  info_.digest =
-      digestOf({inputs_.scene_text, readFile(options.study, "study file", kMaxSceneBytes),
-                std::to_string(inputs_.study.seed)});
+  info_.digest = digestOfAll();
   info_.runs = runner.runs();
   info_.varied = runner.variedColumns();
   info_.records = runner.records().size();
   info_.fan = runner.fanName();
+}
+
+/// Of scene, study and seed, and of the files that were read for the scene and for every value that
+/// a study lists.
+std::uint64_t SweepJob::digestOfAll() const {
+  std::vector<std::string> texts = {inputs_.scene_text,
+                                    readFile(options_.study, "study file", kMaxSceneBytes),
+                                    std::to_string(inputs_.study.seed)};
+  for (std::string& file : digestsOfFiles(runners_.front()->context()))
+    texts.push_back(std::move(file));
+  return digestOf(texts);
 }
 
 std::string SweepJob::path(const std::string& stem, const std::string& extension) const {
@@ -95,7 +106,9 @@ std::int64_t SweepJob::rowsToKeep() const {
                              path("runs", ".info") +
                              ", which is not there; remove the table, or leave --resume out");
   if (info != toText(info_))
-    throw std::runtime_error(table + ": is of another sweep; remove it, or leave --resume out");
+    throw std::runtime_error(table +
+                             ": is of another sweep: the scene, the study, the seed, or a file "
+                             "that the scene names is another; remove it, or leave --resume out");
   const std::int64_t rows = std::min(there, shard_.runsOf(info_.runs));
   if (info_.fan.empty()) return rows;
   const std::int64_t fan = wholeRows(path("fan", ".csv"));

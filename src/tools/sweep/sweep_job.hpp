@@ -32,6 +32,7 @@ class SweepJob {
   struct Tables;
 
   std::string path(const std::string& stem, const std::string& extension) const;
+  std::uint64_t digestOfAll() const;
   std::int64_t rowsToKeep() const;
   Tables openTables(std::int64_t kept) const;
   void addRunners(std::int64_t runs);
