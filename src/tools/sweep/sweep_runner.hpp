@@ -27,6 +27,7 @@ struct RunRows {
   std::string row;
   std::string fan;      ///< empty: the run has none
   std::string refusal;  ///< why it is no result; empty: it is one
+  std::string doubt;  ///< why it may be wrong by more than it should; empty: it is not known to be
 };
 
 /// Makes runs of a study, one after the other, each from its number alone. Every thread has its
