@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "dynamics/step_too_long.hpp"
 #include "scene/message_text.hpp"
@@ -35,6 +36,17 @@ bool countsBySomeIntegrator(const std::string& path, const std::vector<Varied>& 
   return (path == "time_step" || path == "tolerance") &&
          std::any_of(vary.begin(), vary.end(),
                      [](const Varied& varied) { return varied.path == "integrator"; });
+}
+
+/// Whether another path decides what starts within a run.
+bool othersMoveStarts(const std::string& path, const std::vector<Varied>& vary) {
+  const std::string key = ".start";
+  return std::any_of(vary.begin(), vary.end(), [&](const Varied& varied) {
+    const std::string& other = varied.path;
+    const bool is_start =
+        other.size() > key.size() && other.compare(other.size() - key.size(), key.size(), key) == 0;
+    return other != path && (is_start || other == "horizon");
+  });
 }
 
 /// Whether one of these wrenches or commands starts when the run has ended.
@@ -132,8 +144,10 @@ bool SweepRunner::movesAlike(Reference& reference, const Built& other, const std
   if (first.duration != other.duration) return false;
   const bool ends_decide =
       path == "horizon" || (path == "time_step" && !RunRecorder::areNeededWithin(records_));
-  if (!ends_decide &&
-      differWithin(first.duration, first.world, first.initial, other.world, other.initial))
+  const double seen = othersMoveStarts(path, inputs_.study.vary)
+                          ? std::numeric_limits<double>::infinity()
+                          : first.duration;
+  if (!ends_decide && differWithin(seen, first.world, first.initial, other.world, other.initial))
     return false;
   if (!reference.is_run) reference.end = endOf(first);
   reference.is_run = true;

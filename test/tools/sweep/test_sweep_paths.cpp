@@ -9,11 +9,13 @@ namespace rigid_body_sim {
 namespace {
 
 /// Of a sweep over one path of the pushed ball, of 2 s, with a mesh to look at.
-test::Outcome variedBall(const std::string& path, const std::string& distribution) {
+test::Outcome variedBall(const std::string& path, const std::string& distribution,
+                         const std::string& start = "start: 0") {
   const TemporaryDirectory files;
   std::string text = test::kPushedBall;
   const std::string spin = "angular: [0, 0, 1]}";
   text.replace(text.find(spin), spin.size(), spin + ", visual: {mesh: seen.stl}");
+  text.replace(text.find("start: 0"), 8, start);
   return test::sweep(
       files.written("scene.yaml", text) + " " +
           files.written("study.yaml", "runs: 2\nvary:\n  " + path + ": {" + distribution + "}\n") +
@@ -50,6 +52,12 @@ TEST(SweepPaths, AreRefusedOfWrenchesThatStartAfterTheRun) {
   for (const char* distribution :
        {"uniform: [1.9, 900]", "list: [1, 3]", "normal: {mean: 4, stddev: 1}"})
     EXPECT_EQ(variedBall("wrenches[0].start", distribution).exit_code, 0) << distribution;
+  // one that a path beside it may bring into the run, in few of the draws, is a choice as well
+  EXPECT_EQ(variedBall("wrenches[0].force[0]", "list: [1, 2]", "start: 3").exit_code, 1);
+  EXPECT_EQ(variedBall("wrenches[0].force[0]",
+                       "list: [1, 2]}\n  wrenches[0].start: {uniform: [1.9, 1000]", "start: 3")
+                .exit_code,
+            0);
 }
 
 }  // namespace rigid_body_sim
