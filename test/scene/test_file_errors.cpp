@@ -46,8 +46,8 @@ TEST(SceneFile, IsNamedInItsErrors) {
 }
 
 TEST(SceneText, IsRefusedWhenEmpty) {
-  EXPECT_EQ(errorOf(""), "s.yaml: is empty; a scene is a YAML mapping");
-  EXPECT_EQ(errorOf("# only a comment\n"), "s.yaml: is empty; a scene is a YAML mapping");
+  EXPECT_EQ(errorOf(""), "s.yaml: is empty; it must be a YAML mapping");
+  EXPECT_EQ(errorOf("# only a comment\n"), "s.yaml: is empty; it must be a YAML mapping");
   EXPECT_EQ(errorOf("---\n"), "s.yaml:2: a mapping is expected, got nothing");
 }
 

@@ -45,7 +45,7 @@ class TreeBuilder {
   }
 
   YamlDocument finish() {
-    if (documents_ == 0) throw SceneError(source_, 0, "is empty; a scene is a YAML mapping");
+    if (documents_ == 0) throw SceneError(source_, 0, "is empty; it must be a YAML mapping");
     document_.root = waiting_.front();
     return std::move(document_);
   }

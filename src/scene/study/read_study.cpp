@@ -108,6 +108,13 @@ std::int64_t readRuns(const Entry& value) {
   return static_cast<std::int64_t>(readWhole(value, 1, kMaxSweepRuns));
 }
 
+/// What is divided must not lose its digits.
+double readRunDuration(const Entry& value) {
+  const double duration = readPositive(value, "s");
+  if (duration < 1e-300) value.failRule("must be at least 1e-300 s");
+  return duration;
+}
+
 void refuseManyRuns(const Study& study, const Entry& root) {
   const std::int64_t cells = gridSize(study);
   if (cells <= kMaxSweepRuns / study.runs) return;
@@ -148,7 +155,7 @@ Study parseStudy(const std::string& yaml_text, const std::string& source_name,
       {"runs", [](const Entry& e, Study& s) { s.runs = readRuns(e); }},
       {"seed", [](const Entry& e, Study& s) { s.seed = readWhole(e); }},
       {"latin_hypercube", [](const Entry& e, Study& s) { s.latin_hypercube = readBoolean(e); }},
-      {"duration", [](const Entry& e, Study& s) { s.duration = readPositive(e, "s"); }},
+      {"duration", [](const Entry& e, Study& s) { s.duration = readRunDuration(e); }},
       {"vary", [](const Entry& e, Study& s) { s.vary = readVary(e); }, true},
       {"record", [](const Entry& e, Study& s) { s.record = readRecords(e); }},
   };

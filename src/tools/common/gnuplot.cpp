@@ -50,7 +50,8 @@ bool isWhole(const std::string& picture) {
 
 void runGnuplot(const std::string& script, const std::string& picture) {
   requireWritable(picture);
-  std::FILE* gnuplot = popen("gnuplot", "w");
+  // its warnings are about its script, which the user has not written
+  std::FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
   if (!gnuplot) throw std::runtime_error("gnuplot cannot be started");
   std::fputs(script.c_str(), gnuplot);
   if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot could not draw " + picture);

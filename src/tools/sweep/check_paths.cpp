@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "dynamics/step_too_long.hpp"
 #include "scene/message_text.hpp"
@@ -37,6 +38,44 @@ bool countsBySomeIntegrator(const std::string& path, const std::vector<Varied>& 
                      [](const Varied& varied) { return varied.path == "integrator"; });
 }
 
+/// Whether another path decides what starts within a run.
+bool othersMoveStarts(const std::string& path, const std::vector<Varied>& vary) {
+  const std::string key = ".start";
+  return std::any_of(vary.begin(), vary.end(), [&](const Varied& varied) {
+    const std::string& other = varied.path;
+    const bool is_start =
+        other.size() > key.size() && other.compare(other.size() - key.size(), key.size(), key) == 0;
+    return other != path && (is_start || other == "horizon");
+  });
+}
+
+/// Whether one of these wrenches or commands starts when the run has ended.
+template <class Timed>
+bool startsAfter(const std::vector<Timed>& all, double duration) {
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Timed& timed) { return timed.start >= duration; });
+}
+
+/// A world without the wrenches and commands that start when the run has ended.
+World withinRun(World world, double duration) {
+  const auto drop = [&](auto& all) {
+    const auto isAfter = [&](const auto& timed) { return timed.start >= duration; };
+    all.erase(std::remove_if(all.begin(), all.end(), isAfter), all.end());
+  };
+  drop(world.wrenches);
+  drop(world.commands);
+  return world;
+}
+
+bool differWithin(double duration, const World& a, const State& initial_a, const World& b,
+                  const State& initial_b) {
+  const auto has_later = [&](const World& world) {
+    return startsAfter(world.wrenches, duration) || startsAfter(world.commands, duration);
+  };
+  if (!has_later(a) && !has_later(b)) return differInMotion(a, initial_a, b, initial_b);
+  return differInMotion(withinRun(a, duration), initial_a, withinRun(b, duration), initial_b);
+}
+
 std::string text(const SceneValue& value) {
   std::string all;
   for (const SceneValue::Word& word : value.words) all += (all.empty() ? "" : ", ") + word.text;
@@ -57,10 +96,10 @@ std::vector<SceneValue> SweepRunner::probesOf(std::size_t index) const {
   std::vector<SceneValue> probes;
   const auto add = [&](double x) { probes.push_back(SceneValue::of(x)); };
   if (const auto* d = std::get_if<NormalDistribution>(&distribution))
-    for (const double deviations : {0.0, 0.5, -0.5, 1.0, -1.0, 2.0, -2.0})
+    for (const double deviations : {0.0, 0.5, -0.5, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0})
       add(d->mean + deviations * d->stddev);
   else if (const auto* u = std::get_if<UniformDistribution>(&distribution))
-    for (const double share : {0.5, 0.75, 0.25, 0.95, 0.05})
+    for (const double share : {0.5, 0.75, 0.25, 0.95, 0.05, 0.0})
       add((1 - share) * u->low + share * u->high);
   else
     for (const std::int64_t run : {0, 1})
@@ -105,7 +144,10 @@ bool SweepRunner::movesAlike(Reference& reference, const Built& other, const std
   if (first.duration != other.duration) return false;
   const bool ends_decide =
       path == "horizon" || (path == "time_step" && !RunRecorder::areNeededWithin(records_));
-  if (!ends_decide && differInMotion(first.world, first.initial, other.world, other.initial))
+  const double seen = othersMoveStarts(path, inputs_.study.vary)
+                          ? std::numeric_limits<double>::infinity()
+                          : first.duration;
+  if (!ends_decide && differWithin(seen, first.world, first.initial, other.world, other.initial))
     return false;
   if (!reference.is_run) reference.end = endOf(first);
   reference.is_run = true;
@@ -130,9 +172,8 @@ bool SweepRunner::differAmong(const std::vector<SceneValue>& values, std::size_t
 
 /// Whether the path counts where the others have what is drawn for them: the frame of a twist does
 /// once the body is turned.
-bool SweepRunner::reachesBesideOthers(std::size_t index) {
-  constexpr std::size_t kMostValues = 8;
-  std::vector<SceneValue> values = probesOf(index);
+bool SweepRunner::reachesBesideOthers(std::size_t index, std::vector<SceneValue> values) {
+  constexpr std::size_t kMostValues = 9;
   values.resize(std::min(values.size(), kMostValues));
   bool reaches = false;
   for (std::int64_t run = 0; run < 2 && !reaches && read_backs_.size() > 1; ++run) {
@@ -141,6 +182,14 @@ bool SweepRunner::reachesBesideOthers(std::size_t index) {
   }
   for (std::size_t i = 0; i < read_backs_.size(); ++i) scene_.set(i, scene_.own(i));
   return reaches;
+}
+
+/// Whether the only value of a path is the scene's own, or moves the bodies as that does.
+bool SweepRunner::isAsInTheScene(std::size_t index, const SceneValue& value, bool must_differ) {
+  const SceneValue own = scene_.own(index);
+  if (value == own) return true;
+  return must_differ && !differAmong({own, value}, index) &&
+         !reachesBesideOthers(index, {own, value});
 }
 
 void SweepRunner::checkPath(std::size_t index) {
@@ -153,7 +202,8 @@ void SweepRunner::checkPath(std::size_t index) {
   // what is under `forces` are parameters of laws, all of which act
   bool reaches = varied.path.rfind("forces", 0) == 0 ||
                  countsBySomeIntegrator(varied.path, inputs_.study.vary);
-  bool differs = false;
+  const bool may_reach = reaches;
+  bool differs = false, has_one = true;
   std::optional<Reference> first;
   std::string refusal;
   for (const SceneValue& probe : probesOf(index)) {
@@ -163,13 +213,19 @@ void SweepRunner::checkPath(std::size_t index) {
     if (!built) continue;
     if (!first) {
       first = Reference{probe, std::move(*built), false, std::nullopt};
-    } else if (!reaches && !(probe == first->value)) {
+      continue;
+    }
+    has_one &= probe == first->value;
+    if (!reaches && !(probe == first->value)) {
       differs = true;
       reaches = !movesAlike(*first, *built, varied.path);
     }
   }
   if (!first) fail(refusal);
-  if (differs && !reaches && !reachesBesideOthers(index))
+  if (all_must_do && has_one && isAsInTheScene(index, first->value, !may_reach))
+    fail("varies nothing: the only value, " + text(first->value) +
+         ", moves the bodies as the scene's own does");
+  if (differs && !reaches && !reachesBesideOthers(index, probesOf(index)))
     fail("varies nothing: the bodies move alike whether it is " + text(first->value) + " or not");
   scene_.set(index, scene_.own(index));
 }

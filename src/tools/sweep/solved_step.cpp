@@ -17,12 +17,17 @@ bool mayBeSolved(const World& world) {
          std::all_of(world.wrenches.begin(), world.wrenches.end(), HeldWrench::holds);
 }
 
-}  // namespace
-
+/// Whether the motion of every body is solved now.
 bool everyMotionIsSolved(const Simulation& simulation) {
   const std::vector<MotionPlan> plans = simulation.plans();
   return std::all_of(plans.begin(), plans.end(),
                      [](const MotionPlan& plan) { return plan.integrator.empty(); });
+}
+
+}  // namespace
+
+bool staysSolved(const Simulation& simulation) {
+  return mayBeSolved(simulation.world()) && everyMotionIsSolved(simulation);
 }
 
 Simulation quickSimulation(World world, const State& initial, double duration) {

@@ -9,7 +9,7 @@ namespace rigid_body_sim {
 /// evaluated at whatever instant, and each wrench starts and ends at its own, whatever the step.
 Simulation quickSimulation(World world, const State& initial, double duration);
 
-/// Whether the motion of every body is solved now.
-bool everyMotionIsSolved(const Simulation& simulation);
+/// Whether the motion of every body is solved, and stays so: nothing that is to come couples them.
+bool staysSolved(const Simulation& simulation);
 
 }  // namespace rigid_body_sim

@@ -69,6 +69,7 @@ void SweepPool::make(SweepRunner& runner, Block& block) const {
     const RunRows rows = runner.run(shard_.run(j));
     block.rows += rows.row;
     block.fan += rows.fan;
+    if (!rows.doubt.empty() && block.doubtful++ == 0) block.first_doubt = rows.doubt;
     if (rows.refusal.empty()) continue;
     if (block.refused++ == 0) block.first_refusal = rows.refusal;
   }
@@ -94,6 +95,8 @@ void SweepPool::handOn(Block made) {
     outcome_.written += block.end - block.first;
     if (outcome_.refused == 0) outcome_.first_refusal = block.first_refusal;
     outcome_.refused += block.refused;
+    if (outcome_.doubtful == 0) outcome_.first_doubt = block.first_doubt;
+    outcome_.doubtful += block.doubtful;
     waiting_bytes_ -= block.rows.size() + block.fan.size();
   }
   changed_.notify_all();

@@ -21,6 +21,8 @@ struct SweepOutcome {
   std::int64_t written = 0;  ///< rows, of those that were asked for
   std::int64_t refused = 0;  ///< of them no results
   std::string first_refusal;
+  std::int64_t doubtful = 0;  ///< of them whose error is beyond the tolerance, or unknown
+  std::string first_doubt;
 };
 
 /// Makes runs on several threads, and hands their rows on in the order of the runs.
@@ -46,6 +48,8 @@ class SweepPool {
     std::string rows, fan;
     std::int64_t refused = 0;
     std::string first_refusal;
+    std::int64_t doubtful = 0;
+    std::string first_doubt;
   };
 
   void work(SweepRunner& runner);

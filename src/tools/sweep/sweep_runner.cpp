@@ -12,6 +12,7 @@
 #include "tools/common/motion_numbers.hpp"
 #include "tools/common/state_at.hpp"
 #include "tools/sweep/solved_step.hpp"
+#include "tools/sweep/told_error.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -32,6 +33,18 @@ std::string field(std::string text) {
 void appendField(double x, std::string& row) {
   row += ',';
   appendNumber(x, row);
+}
+
+/// The end of a row that is a result.
+void appendError(const ToldError& error, std::int64_t number, RunRows& rows) {
+  if (error.estimate) {
+    appendField(error.estimate->attitude, rows.row);
+    appendField(error.estimate->position, rows.row);
+  } else {
+    rows.row += ",,";
+  }
+  rows.row += ",done\n";
+  if (!error.doubt.empty()) rows.doubt = "run " + std::to_string(number) + ": " + error.doubt;
 }
 
 }  // namespace
@@ -188,7 +201,7 @@ void SweepRunner::simulate(Built built, bool with_fan, std::int64_t number, RunR
   std::optional<Built> again;  // what is gone through a second time
   if (with_fan || within) again = built;
   Simulation run = simulationOf(std::move(built));
-  const bool solved = everyMotionIsSolved(run);
+  const bool solved = staysSolved(run);
   if (!solved) run.trackError();
   std::optional<RunRecorder> recorder;
   if (!records_.empty()) recorder.emplace(records_, run);
@@ -199,16 +212,13 @@ void SweepRunner::simulate(Built built, bool with_fan, std::int64_t number, RunR
     follow(run, duration, within ? &*recorder : nullptr, with_fan ? &fan : nullptr);
   const State end = bodiesAt(run, duration);
   if (recorder) recorder->finish(end);
-  const ErrorEstimate error = run.errorEstimate();
 
   appendStates(run.world(), end, rows.row);
   if (within)
     appendRecords(recorder->values(Simulation(again->world, again->initial), end.t), rows.row);
   else if (recorder)
     appendRecords(recorder->values(run, 0), rows.row);
-  appendField(error.attitude, rows.row);
-  appendField(error.position, rows.row);
-  rows.row += ",done\n";
+  appendError(solved ? ToldError{ErrorEstimate(), ""} : toldError(run, duration), number, rows);
   if (with_fan) rows.fan = std::to_string(number) + fan + "\n";
 }
 
@@ -223,8 +233,7 @@ void SweepRunner::solve(const Built& built, bool with_fan, std::int64_t number,
   for (const auto& [def, quantity] : records_)
     appendField(quantity.of(built.world.bodies[quantity.body], end.bodies[quantity.body]),
                 rows.row);
-  for (int error = 0; error < 2; ++error) appendField(0, rows.row);
-  rows.row += ",done\n";
+  appendError({ErrorEstimate(), ""}, number, rows);
 }
 
 /// Of motions that are solved: a state within a long step is found from its start on, each anew, so

@@ -27,6 +27,7 @@ struct RunRows {
   std::string row;
   std::string fan;      ///< empty: the run has none
   std::string refusal;  ///< why it is no result; empty: it is one
+  std::string doubt;  ///< why it may be wrong by more than it should; empty: it is not known to be
 };
 
 /// Makes runs of a study, one after the other, each from its number alone. Every thread has its
@@ -81,7 +82,8 @@ class SweepRunner {
   void setValues(std::int64_t number);
   void checkPath(std::size_t index);
   bool differAmong(const std::vector<SceneValue>& values, std::size_t index);
-  bool reachesBesideOthers(std::size_t index);
+  bool reachesBesideOthers(std::size_t index, std::vector<SceneValue> values);
+  bool isAsInTheScene(std::size_t index, const SceneValue& value, bool must_differ);
   std::vector<SceneValue> probesOf(std::size_t index) const;
   std::optional<Built> builtWith(std::size_t index, const SceneValue& value, std::string& refusal);
   std::optional<State> endOf(const Built& built) const;

@@ -67,6 +67,9 @@ TEST(Study, NamesWhatIsAtFault) {
       {"runs: 1\nseed: -1\nvary: {a: {list: [1]}}",
        "study.yaml:2: seed must be a whole number from 0 to 2^64 - 1, got -1"},
       {"runs: 1\nruns: 2", "study.yaml:2: key 'runs' is repeated"},
+      {"runs: 1\nduration: 1e-320\nvary: {a: {list: [1]}}",
+       "study.yaml:2: duration must be at least 1e-300 s, got 1e-320"},
+      {"# nothing\n", "study.yaml: is empty; it must be a YAML mapping"},
       {"runs: 1\nvary: {}",
        "study.yaml:2: vary must be a mapping of at least one path to what its value may be, got a "
        "mapping"},
