@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "dynamics/packs/pack.hpp"
+#include "math/pack.hpp"
 #include "tools/trade/cpu_time.hpp"
 
 // What this machine can do at most: additions and multiplications of doubles in a second of one

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "dynamics/packs/pack.hpp"
+#include "math/pack.hpp"
 #include "math/triple.hpp"
 
 /// The flow of Drag, T: double, or a pack of several bodies with the same bits.

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "dynamics/laws/drag_flow.hpp"
-#include "dynamics/packs/pack.hpp"
 #include "dynamics/packs/pack_block.hpp"
 #include "dynamics/rotation/free_motion.hpp"
+#include "math/pack.hpp"
 
 /// What steps of packs are made of: the numbers of some bodies, what acts on them, kicks and ways.
 namespace rigid_body_sim {

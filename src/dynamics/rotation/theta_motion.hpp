@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/packs/pack.hpp"
 #include "dynamics/rotation/theta_rotation.hpp"
+#include "math/pack.hpp"
 #include "math/small_angle.hpp"
 #include "math/triple.hpp"
 
