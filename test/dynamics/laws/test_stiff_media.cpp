@@ -182,6 +182,25 @@ TEST(MediumDrag, TooStiffToBeFollowedIsNamedWithWhatToDo) {
             "5e+39/s; weaker drag is needed");
 }
 
+// Where nothing turns, too: the lever squares to more than a number, or the speed through the wind.
+TEST(MediumDrag, BeyondNumbersIsNamedWithWhatToDo) {
+  Coefficients lever, in_wind;
+  lever.linear.alike = 1;
+  lever.center_P = {1e300, 0, 0};
+  in_wind.quadratic.axes = Vector3d::Ones();
+  const auto fault_of = [](const Coefficients& drag, const Vector3d& wind) {
+    Bench bench;
+    bench.add(test::principalBody("ball", 2, {0.1, 0.15, 0.2}), test::tumbling(kStiffStart, {}));
+    bench.world.laws.push_back(std::make_shared<MediumDrag>(0, drag, wind));
+    return divergenceOf(bench, 0.01);
+  };
+  for (const std::string& fault :
+       {fault_of(lever, Vector3d::Zero()), fault_of(in_wind, {1e200, 0, 0})})
+    EXPECT_EQ(fault,
+              "t = 0 s: body 'ball': the motion is too fast to be followed: drag changes it faster "
+              "than numbers reach; weaker drag is needed");
+}
+
 TEST(SteppedLaws, TooStiffToBeFollowedAreNamedWithWhatToDo) {
   const Spring::End body{0, {0.1, 0, 0}}, world{kWorld, {0, 0, 3}};
   Coefficients linear, quadratic;
