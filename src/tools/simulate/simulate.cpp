@@ -119,6 +119,8 @@ void openInputs(Job& job) {
   }
   if (options.load) load(*options.load, job);
   job.begin = job.record ? job.record->begin() : job.simulation.time();
+  if (job.record && !options.duration && !job.record->lengthNotice(job.scene).empty())
+    job.note(job.record->lengthNotice(job.scene));
   const double end = job.record ? job.record->end(job.scene) : job.begin + job.scene.horizon;
   job.end = options.duration ? job.begin + *options.duration : end;
   job.sample = options.sample.value_or(job.scene.time_step);
