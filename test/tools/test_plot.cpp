@@ -194,12 +194,23 @@ TEST_F(Plot, RefusesWhatItCannotReadOrWrite) {
   refuses(turned, 1, turned + ": line 2: the norm of the quaternion must be 1, got 2");
   refuses(good + " " + good, 1,
           good + ": another file of the same kind is given, too: plot one run at a time");
+  refuses(files.path("."), 1,
+          files.path(".") + ": is a directory; plot takes the files in it, by their names");
   refuses(files.path("no.csv"), 1, files.path("no.csv") + ": No such file or directory");
   refuses("", 2, "at least one file is needed, got 0 (plot --help)");
   refuses(good + " --out " + good + "/x", 1, good + "/x: cannot be created: Not a directory");
   std::filesystem::create_directories(files.path("d/position.svg"));
   refuses(good + " --out " + files.path("d"), 1,
           files.path("d") + "/position.svg: cannot be written: Is a directory");
+}
+
+TEST_F(Plot, SaysThatRowsRunBackwards) {
+  const std::string rows = "2,box,0,0,0,0,0,0,1,0,0,0,0,0,0\n1,box,1,0,0,0,0,0,1,0,0,0,0,0,0\n";
+  const test::Outcome run =
+      plot(files.written("back.csv", kMotionHeader + rows) + " --out " + files.path("out"));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out.find("plot: notice: rows run backwards in time, first at 1 s: "), 0U)
+      << run.out;
 }
 
 TEST_F(Plot, LeavesOutALastLineThatWasCutAndSaysSo) {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 #include <geometry_msgs/WrenchStamped.h>
@@ -132,6 +133,16 @@ TEST_F(PlotBag, WithoutABalanceSaysWhyEnergyIsNotDrawn) {
   status.energy_balance = 0;
   write("/rigid_body_node/status", status);
   EXPECT_TRUE(read().notices.empty());
+}
+
+TEST_F(PlotBag, ThatIsCutIsRefusedWithWhatToDo) {
+  write("/box/odom", odometry(0));
+  bag.close();
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 100);
+  const test::Outcome run = test::runCommand(RIGID_BODY_SIM_PLOT " " + path + " 2>&1");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out.find("plot: " + path + ": the bag is cut: "), 0U) << run.out;
+  EXPECT_NE(run.out.find("rosbag reindex"), std::string::npos) << run.out;
 }
 
 TEST_F(PlotBag, ThatHoldsNoMotionOrNoNumbersIsRefused) {

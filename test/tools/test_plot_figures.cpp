@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -44,6 +45,25 @@ std::vector<double> lastOf(const Figure* figure) {
 }
 
 }  // namespace
+
+// As of a node: a reset begins a balance anew.
+TEST(BalanceFigures, FollowAReset) {
+  RunData run;
+  constexpr std::size_t kEnergy = 0, kWork = 2, kLeft = 9;
+  for (const double work : {0., 1., 2., 0., 5.}) {
+    const bool is_reset = run.balance.t.size() >= 3;
+    std::array<double, 16> row{};
+    row[kWork] = work;
+    row[kLeft] = 0.125;
+    row[kEnergy] = (is_reset ? 100 : 10) + work + row[kLeft];
+    run.balance.t.push_back(static_cast<double>(run.balance.t.size()));
+    run.balance.rows.push_back(row);
+  }
+  const std::vector<Figure> figures = balanceFigures(run);
+  const Figure* energy = figureNamed("energy", figures);
+  ASSERT_NE(energy, nullptr);
+  EXPECT_EQ(energy->panels.at(0).curves.at(1).y, (std::vector<double>{10, 11, 12, 100, 105}));
+}
 
 TEST(AttitudeAngles, GoOnBeyondATurnAboutEachAxis) {
   for (const int axis : {0, 1, 2}) {

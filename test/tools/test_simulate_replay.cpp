@@ -170,6 +170,22 @@ TEST_F(SimulateBags, ReplayIsStampedAsTheRecordedRun) {
                                             start + ros::Duration(0, 200000000)}));
 }
 
+TEST_F(SimulateBags, SaysThatTheLengthOfARunAfterAResetIsNotKnown) {
+  {
+    rosbag::Bag bag(path("later.bag"), rosbag::bagmode::Write);
+    Input clear;  // of the first step, in order
+    clear.kind = Input::CLEAR;
+    bag.write("/rigid_body_node/inputs", ros::Time(1), clear);
+    clear.run = 1;
+    bag.write("/rigid_body_node/inputs", ros::Time(2), clear);
+  }
+  const std::string notice = "later.bag: holds several runs, parted by resets or loads, ";
+  ASSERT_EQ(simulate(scene() + " --wrench-bag " + path("later.bag")), 0) << said;
+  EXPECT_NE(said.find(notice), std::string::npos) << said;
+  ASSERT_EQ(simulate(scene() + " --duration 0.1 --wrench-bag " + path("later.bag")), 0) << said;
+  EXPECT_EQ(said.find(notice), std::string::npos) << said;
+}
+
 TEST_F(SimulateBags, InputOfAnotherSceneIsRefusedInOneLineHoweverLateItComes) {
   {
     rosbag::Bag bag(path("other.bag"), rosbag::bagmode::Write);

@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/scene/build_world.hpp>
+#include <rigid_body_sim/scene/load_scene.hpp>
+#include <rigid_body_sim/scene/state_file.hpp>
+
 #include "support/run_command.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -96,6 +101,24 @@ TEST_F(SimulateStates, GoOnAtTheTimesOfTheRunInOne) {
   EXPECT_EQ(rows.substr(rows.find(from)), whole.substr(whole.find(from)));
 }
 
+// as a node saves it, whose wrenches are no part of the scene
+TEST_F(SimulateStates, SayThatWrenchesActWhichTheSceneDoesNotHave) {
+  scene = directory.written(
+      "bare.yaml",
+      "time_step: 0.01\nbodies: [{name: box, shape: {sphere: {radius: 1}}, mass: 2}]\n");
+  const Scene bare = loadScene(scene);
+  const World world = buildWorld(bare);
+  Simulation node(world, initialState(bare, world));
+  PointWrench push;
+  push.force = {1, 0, 0};
+  node.applyWrench("topic", push);
+  saveState(directory.path("cut"), world, node.state());
+  const test::Outcome rest = simulate("--load " + directory.path("cut") + " --duration 1");
+  ASSERT_EQ(rest.exit_code, 0) << rest.out;
+  EXPECT_NE(rest.out.find("box: wrenches, "), std::string::npos) << rest.out;
+  EXPECT_NE(rest.out.find("changed by wrenches: energy "), std::string::npos) << rest.out;
+}
+
 TEST_F(SimulateStates, AreRefusedInOneLine) {
   ASSERT_EQ(simulate("--duration 0.1 --save " + directory.path("cut")).exit_code, 0);
   const std::string load = "--load " + directory.path("cut");
@@ -112,6 +135,9 @@ TEST_F(SimulateStates, AreRefusedInOneLine) {
             std::string::npos);
   EXPECT_NE(refusal("--duration 0.1012 --save " + directory.path("x"), 2)
                 .find("--save needs an end at a step"),
+            std::string::npos);
+  EXPECT_NE(refusal("--duration 1e-13", 2)
+                .find("--duration must be at least a billionth of the time step 0.005 s"),
             std::string::npos);
   EXPECT_NE(refusal("--duration 0.1 --save " + directory.path("none/x"), 1)
                 .find("cannot be written: No such file or directory"),

@@ -59,6 +59,11 @@ TEST(SlowRunNotice, NamesSubstepsAndShortSteps) {
   Simulation fine = simulationOfScene("time_step: 1.0e-6\n" + body);
   fine.step();
   EXPECT_NE(many.textIfDue(fine).find("it takes many steps of 1e-06 s"), std::string::npos);
+  SlowRunNotice few(10, kAtOnce);
+  Simulation coarse = simulationOfScene(
+      "time_step: 3\nbodies: [{name: ball, shape: {sphere: {radius: 1}}, mass: 1}]\n");
+  coarse.step();
+  EXPECT_NE(few.textIfDue(coarse).find("each of its steps of 3 s takes long"), std::string::npos);
 }
 
 TEST(SlowRunNotice, NamesTheBodyThatDragSlowsDownFastest) {

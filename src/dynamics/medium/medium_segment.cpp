@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/taylor/series_length.hpp"
 #include "dynamics/taylor/taylor_terms.hpp"
 #include "math/two_sum.hpp"
 
@@ -28,13 +29,11 @@ double lengthOf(const MediumSeries::Of<Value>& series, double precision) {
   const auto size = [&](std::size_t n) { return series[n].cwiseAbs().maxCoeff(); };
   double own = 0;
   for (std::size_t n = 0; n < kDegree && (n < 3 || own == 0); ++n) own = std::max(own, size(n));
-  own *= precision;
   const double last = size(kDegree), before = size(kDegree - 1);
   if (!std::isfinite(last) || !std::isfinite(before)) return 0;
-  const auto root = [](double x, std::size_t n) { return std::pow(x, 1 / static_cast<double>(n)); };
-  double length = last > 0 ? root(own / last, kDegree) : kAnyLength;
-  if (before > 0) length = std::min(length, root(7 * own / before, kDegree - 1));
-  return length;
+  if (last == 0 && before == 0) return lengthByEarlier(size, kDegree, precision, own);
+  return std::min(lengthByTerm(last, kDegree, precision, own),
+                  lengthByTerm(before, kDegree - 1, 7 * precision, own));
 }
 
 }  // namespace
@@ -78,11 +77,30 @@ void MediumSegment::startAnew(const HeldWrench& same_wrench, const BodyState& st
     series_.axes[0].col(j) = rotateBack(start.q_WP, Vector3d(Vector3d::Unit(j)));
   series_.v[0] = start.p_W * equations_.inv_mass - equations_.load.velocity_W;
   if (translation_) series_.v[0].setZero();
+  stopWhatDecayed();
   setUpRate();
   expandMedium(equations_, series_);
 
   const double share = shareOf(bound_.attitude, fastest_ * bound_.horizon);
   valid_for_ = length(std::max(std::numeric_limits<double>::epsilon(), share)) / equations_.rate;
+}
+
+/// What drag has slowed to nothing is at rest: its series would lose their terms to underflow, and
+/// in numbers that small nothing decays any more. Far above the smallest, for what the recursion
+/// multiplies by 1/I on the way.
+void MediumSegment::stopWhatDecayed() {
+  constexpr double kAtRest = 1e-250;  // [rad/s], [m/s]
+  const MediumLoad& load = equations_.load;
+  const bool slows_turning = !load.angular_P.isZero(0) || !load.center_P.isZero(0);
+  if (slows_turning && series_.w[0].cwiseAbs().maxCoeff() < kAtRest) {
+    series_.w[0].setZero();
+    start_.L_P.setZero();
+  }
+  const double speed = series_.v[0].cwiseAbs().maxCoeff();
+  if (speed > 0 && speed < kAtRest) {
+    series_.v[0].setZero();
+    start_.p_W = load.velocity_W / equations_.inv_mass;
+  }
 }
 
 /// Forces at points of the world: their torque at the start counts as a couple.

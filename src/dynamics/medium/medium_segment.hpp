@@ -37,6 +37,7 @@ class MediumSegment {
  private:
   void takeTranslationOut(const HeldWrench& wrench);
   void setUpPulls(const HeldWrench& wrench);
+  void stopWhatDecayed();
   void setUpRate();
   double speedBound(double acceleration) const;
   double length(double precision) const;

@@ -15,10 +15,14 @@
 namespace rigid_body_sim {
 namespace {
 
-/// The wrenches that the scene schedules, body by body.
-std::vector<std::vector<PointWrench>> wrenchesByBody(const World& world) {
+/// The wrenches that act or are to come, body by body: of the scene, or of a state loaded since.
+std::vector<std::vector<PointWrench>> wrenchesByBody(const World& world, const State& state) {
   std::vector<std::vector<PointWrench>> wrenches(world.bodies.size());
-  for (const PointWrench& wrench : world.wrenches) wrenches[wrench.body].push_back(wrench);
+  for (const BodySchedule& schedule : state.schedules)
+    for (const ScheduledWrench& scheduled : schedule.wrenches)
+      wrenches[scheduled.wrench.body].push_back(scheduled.wrench);
+  if (state.schedules.empty())
+    for (const PointWrench& wrench : world.wrenches) wrenches[wrench.body].push_back(wrench);
   return wrenches;
 }
 
@@ -177,9 +181,9 @@ std::string magnificationOfSolved(const Simulation& simulation) {
   constexpr std::size_t kMost = 100;  // bodies: the node asks once a second
   const World& world = simulation.world();
   if (world.bodies.size() > kMost) return "";
-  const auto wrenches = wrenchesByBody(world);
-  const std::set<std::size_t> in_medium = bodiesInMedium(world);
   const State state = simulation.state();
+  const auto wrenches = wrenchesByBody(world, state);
+  const std::set<std::size_t> in_medium = bodiesInMedium(world);
   double most = 0;
   std::size_t which = 0;
   for (const MotionPlan& plan : simulation.plans()) {
@@ -226,7 +230,7 @@ std::string magnifiedText(const Body& body, double magnification) {
 std::vector<std::string> describeSolution(const Simulation& simulation) {
   const World& world = simulation.world();
   const auto laws = lawNames(world);
-  const auto wrenches = wrenchesByBody(world);
+  const auto wrenches = wrenchesByBody(world, simulation.state());
   const std::set<std::size_t> in_medium = bodiesInMedium(world);
   std::vector<std::string> texts, shortfalls;
   for (const Body& body : world.bodies) texts.push_back(body.absent ? "absent" : "fixed");

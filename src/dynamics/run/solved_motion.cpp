@@ -149,17 +149,21 @@ std::string tooFastText(const SolvedProblem& problem, const BodyState& state, bo
                          stableNorm(w_P) * stableNorm(load->center_P);
     const double linear = load->linear + load->linear_P.cwiseAbs().maxCoeff() +
                           (load->quadratic + load->quadratic_axes.maxCoeff()) * speed;
-    slowed =
-        std::max(linear / body.mass, load->angular_P.cwiseAbs().maxCoeff() * body.inv_I.maxCoeff());
+    const double arm = stableNorm(load->center_P), inv_I = body.inv_I.maxCoeff();
+    slowed = std::max(linear * (1 / body.mass + arm * arm * inv_I),
+                      load->angular_P.cwiseAbs().maxCoeff() * inv_I);
   }
+  const bool is_drag = slowed > spin || !std::isfinite(slowed);
   std::ostringstream text;
   text << "the motion is too fast to be followed";
-  if (slowed > spin)
+  if (is_drag && !std::isfinite(slowed))
+    text << ": drag changes it faster than numbers reach";
+  else if (is_drag)
     text << ": drag slows it down at " << slowed << "/s";
   else if (spin > 0)
     text << ": it turns at " << spin << " rad/s";
   text << (stuck ? "; " : "; a shorter time_step or ")
-       << (slowed > spin ? "weaker drag" : "slower turning, or less torque,") << " is needed";
+       << (is_drag ? "weaker drag" : "slower turning, or less torque,") << " is needed";
   return text.str();
 }
 

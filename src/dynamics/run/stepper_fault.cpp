@@ -65,15 +65,14 @@ void Stepper::failTooFast(const System& system, double h, const SystemState& sta
                   "less torque");
 
   std::ostringstream reason;
-  reason << "a step spans ";
   const double in_all = fastestRate(system, h, states);  // at the speeds that h may bring about
   const double turn = h * (std::isfinite(in_all) ? std::max(in_all, fastest.rate) : fastest.rate);
   if (std::isfinite(turn))
-    reason << turn << " rad";
+    reason << "a step spans " << turn << " rad of " << fastest.what << ", more than "
+           << choice_.method->name << " follows in " << limit;
   else
-    reason << "more radians than a number can be";
-  reason << " of " << fastest.what << ", more than " << choice_.method->name << " follows in "
-         << limit << "; a shorter time_step or " << fastest.remedy << " is needed";
+    reason << fastest.what << " is faster than numbers reach";
+  reason << "; a shorter time_step or " << fastest.remedy << " is needed";
   throw StepTooLong(reason.str());
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/taylor/series_length.hpp"
 #include "dynamics/taylor/taylor_recursion.hpp"
 #include "dynamics/taylor/taylor_terms.hpp"
 #include "math/two_sum.hpp"
@@ -136,7 +137,8 @@ T DrivenSegmentT<T>::lengthOf(const typename TaylorDrive<T>::Coefficients& serie
   T own = std::max(sizeOf(1), std::max(sizeOf(2), sizeOf(3)));
   if (!(own > T(0))) own = std::max(last, before);
   if (own == T(0)) return std::numeric_limits<T>::infinity();
-  return this->lengthBy(last, before, size, own);
+  if (last > T(0) || before > T(0)) return this->lengthBy(last, before, size, own);
+  return lengthByEarlier(sizeOf, N, size, own);
 }
 
 template <class T>

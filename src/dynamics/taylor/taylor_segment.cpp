@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/taylor/series_length.hpp"
 #include "dynamics/taylor/taylor_recursion.hpp"
 #include "dynamics/taylor/taylor_terms.hpp"
 #include "math/always_inline.hpp"
@@ -228,7 +229,12 @@ T TaylorSegmentT<T>::length(T size) const {
     last = std::max(last, std::max(sizeOf(N) / size_w, sizeOfL(N) / size_L));
     before = std::max(before, std::max(sizeOf(N - 1) / size_w, sizeOfL(N - 1) / size_L));
   }
-  return lengthBy(last, before, size, T(1));
+  if (last > T(0) || before > T(0)) return lengthBy(last, before, size, T(1));
+  const auto larger = [&](std::size_t n) {
+    const T turn = maxAbs(series_.q[n]);
+    return size_w > T(0) ? std::max({turn, sizeOf(n) / size_w, sizeOfL(n) / size_L}) : turn;
+  };
+  return lengthByEarlier(larger, N, size, T(1));
 }
 
 template <class T>

@@ -11,6 +11,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include "ros/bag/open_bag.hpp"
 #include "ros/inputs/command_intake.hpp"
 #include "ros/inputs/wrench_intake.hpp"
 #include "ros/options/node_options.hpp"
@@ -141,6 +142,8 @@ BagInputs inputsOf(const rosbag::Bag& bag, const Scene& scene, const World& worl
   if (!recorded.empty()) {
     BagInputs result{lastRun(recorded, world, scene.world_frame), {}, ""};
     const Input& last = recorded.back();
+    result.is_of_later_run = std::any_of(recorded.begin(), recorded.end(),
+                                         [](const Input& input) { return input.run > 0; });
     const std::int64_t start =
         static_cast<std::int64_t>(last.header.stamp.toNSec()) - std::llround(last.time * 1e9);
     result.origin.start.fromNSec(static_cast<std::uint64_t>(std::max<std::int64_t>(start, 0)));
@@ -161,7 +164,7 @@ BagInputs inputsOf(const rosbag::Bag& bag, const Scene& scene, const World& worl
 BagInputs readBagInputs(const std::string& path, const Scene& scene, const World& world) {
   try {
     rosbag::Bag bag;
-    bag.open(path, rosbag::bagmode::Read);
+    openBag(path, bag);
     return inputsOf(bag, scene, world);
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());

@@ -15,6 +15,7 @@ struct BagInputs {
   std::vector<TimedInput> inputs;  ///< in the order of their steps
   TimeOrigin origin;               ///< where the run starts in the time of the bag
   std::string notice;  ///< one line, for a bag that does not record how the run was; else empty
+  bool is_of_later_run = false;  ///< whether runs that a reset or a load has ended come before
 };
 
 /// The inputs that a bag has recorded: those of its one topic of type Input. A bag without has the

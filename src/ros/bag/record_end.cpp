@@ -15,6 +15,8 @@
 #include <rigid_body_sim/Input.h>
 #include <rigid_body_sim/LawForces.h>
 
+#include "ros/bag/open_bag.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -62,7 +64,7 @@ std::optional<double> recordEnd(const rosbag::Bag& bag, const TimeOrigin& origin
 std::optional<double> recordEnd(const std::string& path, const TimeOrigin& origin) {
   try {
     rosbag::Bag bag;
-    bag.open(path, rosbag::bagmode::Read);
+    openBag(path, bag);
     return recordEnd(bag, origin);
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());

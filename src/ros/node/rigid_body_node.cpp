@@ -65,6 +65,14 @@ int refuseUsage(const std::string& fault) {
   return kWrongUsage;
 }
 
+/// As ROS_FATAL, which writes nothing once the node is being stopped.
+void logFatal(const char* text) {
+  if (ros::ok() && !ros::isShuttingDown())
+    ROS_FATAL("%s", text);
+  else
+    std::fprintf(stderr, "[FATAL]: %s\n", text);
+}
+
 int run(const NodeOptions& options, const Scene& scene) {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
@@ -77,7 +85,7 @@ int run(const NodeOptions& options, const Scene& scene) {
     node.run();
     return kDone;
   } catch (const SimulationDiverged& error) {
-    ROS_FATAL("%s", error.what());
+    logFatal(error.what());
     return kDiverged;
   } catch (const std::exception&) {
     if (!ros::ok()) return kDone;  // a shutdown ends what waits, too

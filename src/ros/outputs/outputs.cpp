@@ -200,8 +200,10 @@ void Outputs::publishState(double t, bool with_markers) {
   if (!seen) live_markers_.forget();
   if (!anySubscribers() && !topics_.tf.subscribers() && !(seen && with_markers)) return;
   const Snapshot snapshot(*simulation_, t);
-  if (topics_.tf.subscribers() && stamp != greeted_)
-    topics_.tf.publish(messages_.transforms(moving_, snapshot, stamp), stamp);
+  if (topics_.tf.subscribers() && stamp != greeted_) {
+    const tf2_msgs::TFMessage frames = messages_.transforms(moving_, snapshot, stamp);
+    if (!frames.transforms.empty()) topics_.tf.publish(frames, stamp);
+  }
   publishBodyTopics(snapshot, stamp);
   if (seen && with_markers) live_markers_.publish(snapshot, stamp);
 }

@@ -59,7 +59,7 @@ bool isSolved(const Simulation& simulation) {
                      [](const MotionPlan& plan) { return plan.integrator.empty(); });
 }
 
-std::string reasonOf(const Simulation& simulation) {
+std::string reasonOf(const Simulation& simulation, double t_end) {
   const FastestBody fastest = fastestBody(simulation);
   const std::string turns =
       formatted("'%s' turns fastest, at %.3g rad/s", fastest.name.c_str(), fastest.rate);
@@ -79,6 +79,10 @@ std::string reasonOf(const Simulation& simulation) {
         "the motion is solved radian by radian (%s); a stated tolerance makes that "
         "cheaper",
         turns.c_str());
+  constexpr double kMany = 1000;
+  if (!(t_end > kMany * h))
+    return "each of its steps of " + shortest(h) +
+           " s takes long; fewer bodies that move or a larger tolerance make them cheaper";
   return "it takes many steps of " + shortest(h) + " s; a longer time_step takes fewer";
 }
 
@@ -97,7 +101,7 @@ std::string SlowRunNotice::textIfDue(const Simulation& simulation) {
   is_said_ = true;
   return formatted("%.0f s of computing have reached %.4g of %.4g s: ", elapsed, simulation.time(),
                    t_end_) +
-         reasonOf(simulation);
+         reasonOf(simulation, t_end_);
 }
 
 }  // namespace rigid_body_sim

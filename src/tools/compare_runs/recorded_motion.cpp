@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include "ros/bag/open_bag.hpp"
 #include "tools/common/csv_header.hpp"
 #include "tools/common/csv_rows.hpp"
 
@@ -27,7 +29,7 @@ Motion motionOf(const nav_msgs::Odometry& message) {
 
 RecordedMotion motionOfBag(const std::string& path) {
   rosbag::Bag bag;
-  bag.open(path, rosbag::bagmode::Read);
+  openBag(path, bag);
   RecordedMotion motion;
   rosbag::View view(bag, rosbag::TypeQuery(ros::message_traits::datatype<nav_msgs::Odometry>()));
   for (const rosbag::MessageInstance& instance : view) {
@@ -48,6 +50,9 @@ void addRow(const CsvRow& row, RecordedMotion& motion) {
 }
 
 RecordedMotion motionOfCsv(const std::string& path) {
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none))
+    throw std::runtime_error("is a directory; a run is a bag or a CSV file");
   std::ifstream file(path);
   std::string row;
   if (!file.is_open()) throw std::runtime_error(std::strerror(errno));

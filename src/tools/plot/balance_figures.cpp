@@ -83,12 +83,13 @@ Figure balanceFigure(const RunData& run) {
 std::vector<Figure> balanceFigures(const RunData& run) {
   const Samples<16>& samples = run.balance;
   if (samples.t.empty()) return {};
-  const double start = samples.rows[0][kEnergy] - samples.rows[0][kWork];
   Panel energy{"", "energy [J]", {}};
   energy.curves.push_back(
       curveOf("mechanical energy", samples, [](const BalanceRow& row) { return row[kEnergy]; }));
-  energy.curves.push_back(curveOf("at start + work", samples,
-                                  [start](const BalanceRow& row) { return start + row[kWork]; }));
+  // row by row: a node's balance starts anew with every reset and every state that is set
+  energy.curves.push_back(curveOf("at start + work", samples, [](const BalanceRow& row) {
+    return row[kEnergy] - row[kEnergyLeft];
+  }));
   energy.curves.back().dashed = true;
   if (run.has_kinetic)
     energy.curves.push_back(

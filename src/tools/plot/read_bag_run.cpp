@@ -14,6 +14,7 @@
 #include <rigid_body_sim/Contacts.h>
 #include <rigid_body_sim/SimStatus.h>
 
+#include "ros/bag/open_bag.hpp"
 #include "ros/messages/conversions.hpp"
 #include "scene/message_text.hpp"
 #include "tools/plot/run_data.hpp"
@@ -155,7 +156,7 @@ class BagRunReader {
 
 RunData readBagRun(const std::string& path) {
   rosbag::Bag bag;
-  bag.open(path, rosbag::bagmode::Read);
+  openBag(path, bag);
   BagRunReader reader;
   rosbag::View view(bag);
   for (const rosbag::MessageInstance& message : view) try {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 
 #include <rigid_body_sim/math/rotation.hpp>
@@ -67,10 +68,31 @@ std::string readRows(std::istream& file, RunData& run) {
 }
 
 void addCsv(const std::string& path, RunData& run) {
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none))
+    throw std::runtime_error("is a directory; plot takes the files in it, by their names");
   std::ifstream file(path);
   if (!file.is_open()) throw std::runtime_error(std::strerror(errno));
   const std::string cut = readRows(file, run);
   if (!cut.empty()) run.notices.push_back(oneLine(path) + ": " + cut + "; it is not drawn");
+}
+
+/// The first instant that lies before that of the row above it; none where time goes on.
+template <std::size_t N>
+std::optional<double> firstStepBack(const Samples<N>& samples) {
+  const auto up_to = std::is_sorted_until(samples.t.begin(), samples.t.end());
+  return up_to == samples.t.end() ? std::nullopt : std::optional<double>(*up_to);
+}
+
+void noteStepsBack(RunData& run) {
+  std::optional<double> back = firstStepBack(run.balance);
+  for (const auto& body : run.motion.all())
+    if (!back) back = firstStepBack(body.samples);
+  for (const auto& body : run.loads.all())
+    if (!back) back = firstStepBack(body.samples);
+  if (back)
+    run.notices.push_back("rows run backwards in time, first at " + shortest(*back) +
+                          " s: lines follow the rows; sort them, or plot one run at a time");
 }
 
 std::string fileName(const std::string& path) {
@@ -111,6 +133,7 @@ RunData readRun(const std::vector<std::string>& paths) {
       throw std::runtime_error(oneLine(path) + ": " + error.what());
     }
   if (isEmpty(run)) throw std::runtime_error(oneLine(paths[0]) + ": holds no rows");
+  if (!isBag(paths[0])) noteStepsBack(run);
   run.name = nameOf(paths);
   return run;
 }

@@ -19,10 +19,24 @@ std::string RecordedRun::notice() const {
   return recorded_.notice.empty() ? "" : path_ + ": " + recorded_.notice;
 }
 
+bool RecordedRun::showsItsEnd(double h) const {
+  return end_ && *end_ >= std::max(begin(), static_cast<double>(replay_.lastStep()) * h);
+}
+
+std::string RecordedRun::lengthNotice(const Scene& scene) const {
+  if (!recorded_.is_of_later_run || showsItsEnd(scene.time_step)) return "";
+  return path_ + ": " +
+         formatted(
+             "holds several runs, parted by resets or loads, of which the last is repeated; "
+             "its length is not known, it is taken to end at %s s: --duration says how long "
+             "it was. Messages of the runs before have the same stamps, which compare_runs "
+             "does not part",
+             shortest(end(scene)).c_str());
+}
+
 double RecordedRun::end(const Scene& scene) const {
   const double h = scene.time_step;
-  if (!end_ || *end_ < std::max(begin(), static_cast<double>(replay_.lastStep()) * h))
-    return std::max(begin() + scene.horizon, endOfEffects(recorded_.inputs, h));
+  if (!showsItsEnd(h)) return std::max(begin() + scene.horizon, endOfEffects(recorded_.inputs, h));
   return std::max(begin() / h + 1, std::floor(*end_ / h + 1e-6)) * h;
 }
 

@@ -26,6 +26,10 @@ class RecordedRun {
   /// where its inputs cease to act, whichever is later.
   double end(const Scene& scene) const;
 
+  /// A line for the user where that is not known because the run is not the first in the bag; may
+  /// be empty.
+  std::string lengthNotice(const Scene& scene) const;
+
   const TimeOrigin& origin() const { return recorded_.origin; }
   InputReplay& replay() { return replay_; }
   std::int64_t nextStep() const { return replay_.nextStep(); }
@@ -37,6 +41,8 @@ class RecordedRun {
   std::string remainder(double end) const;
 
  private:
+  bool showsItsEnd(double h) const;
+
   std::string path_;
   BagInputs recorded_;
   std::optional<double> end_;  // [s]

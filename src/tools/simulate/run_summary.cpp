@@ -22,11 +22,16 @@ void addOnce(const std::string& cause, Causes& causes) {
 }
 
 /// What changes energy and momentum of each body beside gravity: wrenches, laws, motors, inputs.
-std::vector<Causes> causesOf(const World& world, double t_end,
+std::vector<Causes> causesOf(const World& world, const State& first, double t_end,
                              const std::vector<InputEffects>& inputs) {
   std::vector<Causes> causes(world.bodies.size());
-  for (const PointWrench& wrench : world.wrenches)
+  const auto add_wrench = [&](const PointWrench& wrench) {
     if (wrench.start < t_end) addOnce("wrenches", causes[wrench.body]);
+  };
+  for (const BodySchedule& schedule : first.schedules)
+    for (const ScheduledWrench& scheduled : schedule.wrenches) add_wrench(scheduled.wrench);
+  if (first.schedules.empty())
+    for (const PointWrench& wrench : world.wrenches) add_wrench(wrench);
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].wrench) addOnce("wrenches", causes[i]);
   const auto comes_and_goes = [&](std::size_t body) {
@@ -116,7 +121,7 @@ std::string changedText(const Causes& causes, const Conserved& a, const Conserve
 std::string runSummary(const World& world, const State& first, const State& last,
                        const std::vector<InputEffects>& inputs) {
   constexpr std::size_t kMost = 100;  // bodies that anybody would read about one by one
-  const std::vector<Causes> causes = causesOf(world, last.t, inputs);
+  const std::vector<Causes> causes = causesOf(world, first, last.t, inputs);
   const World world_at_first = withChanges(world, first.changes);
   std::string summary;
   std::size_t moving = 0;

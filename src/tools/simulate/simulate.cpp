@@ -21,6 +21,7 @@
 #include "programs/step_watch.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
+#include "ros/outputs/instants.hpp"
 #include "scene/message_text.hpp"
 #include "tools/common/deferred_messages.hpp"
 #include "tools/common/gnuplot.hpp"
@@ -118,12 +119,19 @@ void openInputs(Job& job) {
   }
   if (options.load) load(*options.load, job);
   job.begin = job.record ? job.record->begin() : job.simulation.time();
+  if (job.record && !options.duration && !job.record->lengthNotice(job.scene).empty())
+    job.note(job.record->lengthNotice(job.scene));
   const double end = job.record ? job.record->end(job.scene) : job.begin + job.scene.horizon;
   job.end = options.duration ? job.begin + *options.duration : end;
   job.sample = options.sample.value_or(job.scene.time_step);
   requireCountable(job.end, job.scene.time_step, "steps");
   requireCountable(job.end, job.sample, "samples");
   const double h = job.scene.time_step;
+  if (options.duration && *options.duration > 0 &&
+      job.end - job.begin < instantRounding(job.end, h))
+    throw UsageError("--duration must be at least a billionth of the time step " + shortest(h) +
+                     " s, and of the time at which it begins, got " + shortest(*options.duration) +
+                     " s; a shorter --time-step is needed");
   if (options.save && std::abs(job.end - std::round(job.end / h) * h) > 1e-6 * h)
     throw UsageError(
         "--save needs an end at a step: --duration must be a multiple of the time step " +
@@ -197,6 +205,12 @@ void writeRow(const State& state, Job& job) {
   if (job.plot) job.plot->write(state);
 }
 
+void describe(Job& job) {
+  for (const std::string& line : describeSolution(job.simulation)) job.messages.add(line);
+  // else an input to come may not be of this scene
+  if (!job.record || job.record->replay().isDone()) job.messages.print();
+}
+
 /// Runs to the end, a row at every sample and at the end. Returns the last state.
 State simulate(Job& job, const StepHooks& hooks) {
   // a time that misses a multiple of the sample by rounding is one
@@ -209,6 +223,7 @@ State simulate(Job& job, const StepHooks& hooks) {
   ProgressBar bar;
   // what came in before the first step changes the state that it begins with
   if (hooks.before) hooks.before();
+  if (job.record) describe(job);  // a record may begin with a state that is loaded
   hooks.after();
   State state = job.simulation.state();
   if (job.record && job.record->replay().loaded()) job.first = state;
@@ -271,8 +286,7 @@ void run(const SimulateOptions& options) {
   Job job(options);
   openInputs(job);
   openOutputs(job);
-  for (const std::string& line : describeSolution(job.simulation)) job.messages.add(line);
-  if (!job.record) job.messages.print();  // else an input to come may not be of this scene
+  if (!job.record) describe(job);
 
   // contacts magnify errors, so that no choice of steps can promise the tolerance beforehand
   if (job.world.solver.integrator == "auto" && hasContact(job.world)) job.simulation.trackError();

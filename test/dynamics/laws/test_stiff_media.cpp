@@ -121,6 +121,56 @@ TEST(LinearMediumDrag, AccountsForItsEnergyHoweverStiffItIs) {
   }
 }
 
+// To nothing, where its series lose term after term to underflow.
+TEST(MediumDrag, LeavesWhatItHasStoppedAtRest) {
+  struct Case {
+    double inertia;
+    Vector3d angular, linear;
+    double time_step;
+    int steps;
+  };
+  const Vector3d none = Vector3d::Zero(), all = Vector3d::Ones();
+  for (const Case& each :
+       {Case{1, 1e20 * all, none, 0.01, 100}, Case{1, 1e16 * all, none, 0.01, 100},
+        Case{1, 1e12 * all, none, 1, 20}, Case{1e-18, 1e-3 * all, none, 0.01, 20},
+        Case{1, Vector3d(1e18, 3e19, 1e20), none, 0.01, 3}, Case{1, none, 1e16 * all, 10, 100},
+        Case{1, 1e10 * all, 1e12 * all, 100, 20}}) {
+    Bench bench;
+    bench.add(test::principalBody("ball", 2, each.inertia * Vector3d(0.1, 0.15, 0.2)),
+              test::tumbling(kStiffStart, {1, 2, 3}));
+    Coefficients drag;
+    drag.angular.axes = each.angular;
+    drag.linear.axes = each.linear;
+    bench.world.laws.push_back(std::make_shared<MediumDrag>(0, drag, Vector3d::Zero()));
+    Simulation sim = bench.simulation("auto", each.time_step);
+    while (sim.steps() < each.steps) sim.step();
+    const Vector3d stopped = each.angular.isZero(0) ? sim.body(0).p_W : sim.body(0).L_P;
+    EXPECT_EQ(stopped, none) << each.angular.transpose() << ", " << each.linear.transpose();
+    EXPECT_TRUE(sim.body(0).x_W.allFinite());
+    const double free_path = kStiffStart.norm() * each.time_step * each.steps;
+    EXPECT_LE(sim.body(0).x_W.norm(), free_path * (1 + 1e-14));  // a hundred steps' rounding
+  }
+}
+
+// Drag about x alone sets the unit of time; in it, the decay about y shrinks by 1e-17 to 1e-40 a
+// term. ω = ω₀ e^(−kt), θ = ω₀ (1 − e^(−kt))/k.
+TEST(MediumDrag, IsFollowedBesideOneThatIsFarStiffer) {
+  for (const double stiff : {1e16, 1e17, 1e18, 1e20, 1e40}) {
+    Bench bench;
+    bench.add(test::principalBody("ball", 2, {0.1, 0.15, 0.2}),
+              test::tumbling(Vector3d::Zero(), {0, 2, 0}));
+    Coefficients drag;
+    drag.angular.axes = {stiff, 0.3, 0.1};
+    bench.world.laws.push_back(std::make_shared<MediumDrag>(0, drag, Vector3d::Zero()));
+    Simulation sim = bench.simulation("auto", 0.1);
+    while (sim.steps() < 10) sim.step();
+    // k = 2/s, t = 1 s; some ten steps' rounding
+    EXPECT_NEAR(sim.body(0).L_P.y(), 0.3 * std::exp(-2), 1e-15) << stiff;
+    const Quaterniond exact(Eigen::AngleAxisd(-std::expm1(-2), Vector3d::UnitY()));
+    EXPECT_LE(angleBetween(sim.body(0).q_WP, exact), 4e-15) << stiff;
+  }
+}
+
 // At 1 s, where the next number is farther than its series holds.
 TEST(MediumDrag, TooStiffToBeFollowedIsNamedWithWhatToDo) {
   Coefficients drag;
@@ -130,6 +180,25 @@ TEST(MediumDrag, TooStiffToBeFollowedIsNamedWithWhatToDo) {
   EXPECT_EQ(divergenceOf(bench, 0.01),
             "t = 1 s: body 'ball': the motion is too fast to be followed: drag slows it down at "
             "5e+39/s; weaker drag is needed");
+}
+
+// Where nothing turns, too: the lever squares to more than a number, or the speed through the wind.
+TEST(MediumDrag, BeyondNumbersIsNamedWithWhatToDo) {
+  Coefficients lever, in_wind;
+  lever.linear.alike = 1;
+  lever.center_P = {1e300, 0, 0};
+  in_wind.quadratic.axes = Vector3d::Ones();
+  const auto fault_of = [](const Coefficients& drag, const Vector3d& wind) {
+    Bench bench;
+    bench.add(test::principalBody("ball", 2, {0.1, 0.15, 0.2}), test::tumbling(kStiffStart, {}));
+    bench.world.laws.push_back(std::make_shared<MediumDrag>(0, drag, wind));
+    return divergenceOf(bench, 0.01);
+  };
+  for (const std::string& fault :
+       {fault_of(lever, Vector3d::Zero()), fault_of(in_wind, {1e200, 0, 0})})
+    EXPECT_EQ(fault,
+              "t = 0 s: body 'ball': the motion is too fast to be followed: drag changes it faster "
+              "than numbers reach; weaker drag is needed");
 }
 
 TEST(SteppedLaws, TooStiffToBeFollowedAreNamedWithWhatToDo) {

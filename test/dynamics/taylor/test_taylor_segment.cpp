@@ -43,6 +43,21 @@ TEST(TaylorSegment, StartsAtItsStart) {
   EXPECT_LE(angleBetween(end.q_WP, start.q_WP), 2 * kEpsilon);
 }
 
+// A force at a point of the world that the body leaves at v: a torque F v t, so that θ = F v t³/6I,
+// of whose sine and cosine two terms of three are zero. Up to 67 rad, as below.
+TEST(TaylorSegment, TurnsWithTheCubeOfTime) {
+  const Body body = bodyOf(2, Vector3d(1, 2, 2.5));
+  BodyState start;
+  start.p_W = Vector3d(0, 2, 0);
+  PointWrench pull;
+  pull.force = Vector3d(1, 0, 0);
+  pull.point_frame = kWorld;
+  const double angle = 1000 / (6 * 2.5);
+  const BodyState end = advanceTaylor(body, held({pull}), Vector3d::Zero(), start, 10.0);
+  EXPECT_LE(angleBetween(end.q_WP, rotationExp<double>(angle * Vector3d::UnitZ())), 1e-13);
+  EXPECT_NEAR(end.L_P.z(), 50, 1e-13);
+}
+
 // θ = ω₀ t + τ t²/2I, up to 70 rad, so that 1e-13 is 7 ε θ; measured 5.8e-14.
 TEST(TaylorSegment, SpinsUpAboutAPrincipalAxis) {
   for (int axis = 0; axis < 3; ++axis) {
