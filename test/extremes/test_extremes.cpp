@@ -135,7 +135,10 @@ TEST(Extremes, OfForceStopTheRunWithAMessage) {
     const Cells cells = offCentreForces({"auto", "strang", "rk4"}, {size});
     ASSERT_EQ(cells.size(), 3u);
     expectSaid("t = 0 s: body 'body': the motion is too fast to be followed", {cells[0]});
-    expectSaid("t = 0 s: body 'body': a step spans", {cells[1], cells[2]});
+    const char* const told =
+        size < 1e300 ? "a step spans "
+                     : "the turning that torques bring about is faster than numbers reach; ";
+    expectSaid(std::string("t = 0 s: body 'body': ") + told, {cells[1], cells[2]});
   }
   expectSaid("t = 0 s: body 'body': position is no longer finite",
              of("1.5e+308", conflicts({"auto", "strang"})));

@@ -73,6 +73,24 @@ TEST(Outputs, TfAndStatesAreTheOdometry) {
   }
 }
 
+TEST(Outputs, SendNoTfWhereAllBodiesAreAbsent) {
+  const Scene scene = parseScene(
+      "time_step: 0.01\n"
+      "bodies: [{name: box, shape: {sphere: {radius: 1}}, mass: 1, absent: true}]",
+      "test");
+  const World world = buildWorld(scene);
+  Simulation simulation(world, initialState(scene, world));
+  const TimeOrigin origin;
+  test::PublishedMessages published;
+  Outputs outputs(openTopics(published, world, {}), NodeOptions(), scene, simulation, origin);
+  for (int i = 0; i < 30; ++i) {
+    outputs.publishDue();
+    simulation.step();
+  }
+  EXPECT_GT(published.states.size(), 2U);
+  EXPECT_TRUE(published.tf.empty());
+}
+
 TEST(Outputs, BearThePrefixAndTheCovarianceThatAreAskedFor) {
   const Scene scene = test::PublishedRun::sceneOf(0.01);
   NodeOptions options;

@@ -190,7 +190,8 @@ TEST(MediumDrag, BeyondNumbersIsNamedWithWhatToDo) {
   in_wind.quadratic.axes = Vector3d::Ones();
   const auto fault_of = [](const Coefficients& drag, const Vector3d& wind) {
     Bench bench;
-    bench.add(test::principalBody("ball", 2, {0.1, 0.15, 0.2}), test::tumbling(kStiffStart, {}));
+    bench.add(test::principalBody("ball", 2, {0.1, 0.15, 0.2}),
+              test::tumbling(kStiffStart, Vector3d::Zero()));
     bench.world.laws.push_back(std::make_shared<MediumDrag>(0, drag, wind));
     return divergenceOf(bench, 0.01);
   };
