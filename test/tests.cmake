@@ -44,6 +44,8 @@ function(rigid_body_sim_gtest name)
   endforeach()
   catkin_add_gtest(${target} ${ARG_SOURCES})
   target_include_directories(${target} PRIVATE test)
+  # as some releases of googletest say by themselves: whoever shares a precompiled header must agree
+  target_compile_definitions(${target} PRIVATE GTEST_HAS_PTHREAD=1)
   target_link_libraries(${target} ${ARG_LIBRARIES} rigid_body_sim_options gtest_main gmock gtest)
   # in a unity build a fixture in an anonymous namespace stands in an included file: no fault
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)

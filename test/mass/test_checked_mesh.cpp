@@ -46,8 +46,8 @@ TEST(CheckedMesh, MergesTheVerticesOfASoup) {
 TEST(CheckedMesh, TakesMinusZeroForZero) {
   TriangleMesh mesh = soup(translated({0.5, 0.5, 0.5}, cube()));
   for (std::size_t i = 0; i < mesh.vertices.size(); i += 2)
-    for (double& x : mesh.vertices[i])
-      if (x == 0) x = -0.0;
+    for (int k = 0; k < 3; ++k)
+      if (mesh.vertices[i](k) == 0) mesh.vertices[i](k) = -0.0;
   EXPECT_EQ(checkedMesh(mesh).fault, "");
   EXPECT_EQ(checkedMesh(mesh).mesh.vertices.size(), 8u);
 }

@@ -4,165 +4,36 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
-#include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/state_file.hpp>
 
 #include "math/shortest.hpp"
-#include "programs/distinct_files.hpp"
 #include "programs/formatted.hpp"
 #include "programs/run_program.hpp"
 #include "programs/standard_streams.hpp"
 #include "programs/step_watch.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
-#include "ros/outputs/instants.hpp"
 #include "scene/message_text.hpp"
-#include "tools/common/deferred_messages.hpp"
 #include "tools/common/gnuplot.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/common/slow_run_notice.hpp"
 #include "tools/common/state_at.hpp"
 #include "tools/plot/plot_run.hpp"
-#include "tools/simulate/bag_output.hpp"
-#include "tools/simulate/csv_writer.hpp"
-#include "tools/simulate/imu_csv.hpp"
-#include "tools/simulate/plot_files.hpp"
-#include "tools/simulate/recorded_run.hpp"
 #include "tools/simulate/run_summary.hpp"
-#include "tools/simulate/simulate_options.hpp"
+#include "tools/simulate/simulate_job.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kBagSample = 0.01;    // [s] as the node publishes by default
 constexpr double kBarStretches = 200;  // of a run that writes no rows
 
-void requireDistinctFiles(const SimulateOptions& options) {
-  std::vector<NamedFile> files{{"the scene", options.scene, false}};
-  if (options.wrench_bag) files.push_back({"--wrench-bag", *options.wrench_bag, false});
-  if (options.csv && *options.csv != "-") files.push_back({"--csv", *options.csv, true});
-  if (options.imu_csv && *options.imu_csv != "-")
-    files.push_back({"--imu-csv", *options.imu_csv, true});
-  if (options.bag) files.push_back({"--bag", *options.bag, true});
-  if (options.plot)
-    for (const std::string& path : PlotFiles::pathsIn(*options.plot))
-      files.push_back({"a file of --plot", path, true});
-  if (options.load) files.push_back({"--load", *options.load, false});
-  if (options.save) files.push_back({"--save", *options.save, true});
-  requireDistinct(files);
-}
-
-Scene sceneOf(const SimulateOptions& options) {
-  Scene scene = loadToolScene(options.scene);
-  scene.time_step = options.time_step.value_or(scene.time_step);
-  scene.tolerance = options.tolerance.value_or(scene.tolerance);
-  scene.tolerance_stated |= options.tolerance.has_value();
-  if (options.integrator) {
-    scene.integrator = *options.integrator;
-    scene.integrator_line = 0;
-  }
-  if (options.tolerance && scene.integrator != "auto")
-    throw UsageError("--tolerance goes with integrator auto only, got integrator " +
-                     scene.integrator);
-  requireCountable(options.duration.value_or(scene.horizon), scene.time_step, "steps");
-  return scene;
-}
-
-/// One call of the program: what it reads, computes and writes.
-struct Job {
-  explicit Job(const SimulateOptions& given)
-      : options(given),
-        scene(sceneOf(options)),
-        world(buildWorld(scene)),
-        simulation(world, initialState(scene, world)),
-        first(simulation.state()) {}
-
-  void note(const std::string& text) { messages.add(noticeLine("simulate", text)); }
-
-  SimulateOptions options;
-  Scene scene;
-  World world;
-  Simulation simulation;
-  State first;
-  DeferredMessages messages;
-  std::unique_ptr<RecordedRun> record;  // of --wrench-bag
-  double begin = 0, end = 0;            // [s]
-  double sample = 0;                    // [s]
-  std::unique_ptr<CsvWriter> csv;
-  std::unique_ptr<ImuCsv> imu_csv;
-  std::unique_ptr<BagOutput> bag;
-  std::unique_ptr<PlotFiles> plot;
-};
-
-void load(const std::string& path, Job& job) {
-  State state = loadState(path, job.world);
-  try {
-    job.simulation.load(state);
-  } catch (const std::invalid_argument& refused) {
-    throw SceneError(path, 0, refused.what());
-  }
-  job.first = std::move(state);
-}
-
-void openInputs(Job& job) {
-  for (const std::string& notice : job.scene.notices) job.note(notice);
-  const SimulateOptions& options = job.options;
-  if (options.wrench_bag) {
-    job.record = std::make_unique<RecordedRun>(*options.wrench_bag, job.scene, job.world);
-    if (!job.record->notice().empty()) job.note(job.record->notice());
-  }
-  if (options.load) load(*options.load, job);
-  job.begin = job.record ? job.record->begin() : job.simulation.time();
-  if (job.record && !options.duration && !job.record->lengthNotice(job.scene).empty())
-    job.note(job.record->lengthNotice(job.scene));
-  const double end = job.record ? job.record->end(job.scene) : job.begin + job.scene.horizon;
-  job.end = options.duration ? job.begin + *options.duration : end;
-  job.sample = options.sample.value_or(job.scene.time_step);
-  requireCountable(job.end, job.scene.time_step, "steps");
-  requireCountable(job.end, job.sample, "samples");
-  const double h = job.scene.time_step;
-  if (options.duration && *options.duration > 0 &&
-      job.end - job.begin < instantRounding(job.end, h))
-    throw UsageError("--duration must be at least a billionth of the time step " + shortest(h) +
-                     " s, and of the time at which it begins, got " + shortest(*options.duration) +
-                     " s; a shorter --time-step is needed");
-  if (options.save && std::abs(job.end - std::round(job.end / h) * h) > 1e-6 * h)
-    throw UsageError(
-        "--save needs an end at a step: --duration must be a multiple of the time step " +
-        shortest(h) + " s, got an end at " + shortest(job.end) + " s");
-  if (options.save) requireSavable(*options.save);
-}
-
-void openImuCsv(Job& job) {
-  if (job.world.imus.empty())
-    throw UsageError("--imu-csv goes with a scene in which a body has imus");
-  for (const Imu& imu : job.world.imus)
-    requireCountable(job.end, 1 / imu.rate, "samples of IMU " + imu.name);
-  job.imu_csv = std::make_unique<ImuCsv>(*job.options.imu_csv, job.simulation);
-  job.imu_csv->finish();
-}
-
-void openOutputs(Job& job) {
-  if (job.options.csv) {
-    job.csv = std::make_unique<CsvWriter>(*job.options.csv);
-    job.csv->finish();  // the header: a file that takes nothing is reported before the run
-  }
-  if (job.options.imu_csv) openImuCsv(job);
-  if (job.options.bag)
-    job.bag = std::make_unique<BagOutput>(
-        *job.options.bag, 1 / job.options.sample.value_or(kBagSample),
-        job.record ? job.record->origin() : TimeOrigin(), job.scene, job.simulation);
-  if (job.options.plot) job.plot = std::make_unique<PlotFiles>(*job.options.plot, job.simulation);
-}
-
 /// The steps up to the next at which an input comes, something is written or the clock is read.
-std::int64_t freeSteps(const Job& job, const SlowRunNotice& slow) {
+std::int64_t freeSteps(const SimulateJob& job, const SlowRunNotice& slow) {
   double written = std::numeric_limits<double>::infinity();  // [s]
   if (job.imu_csv) written = std::min(written, job.imu_csv->next());
   if (job.bag) written = std::min(written, job.bag->nextInstant());
@@ -172,7 +43,7 @@ std::int64_t freeSteps(const Job& job, const SlowRunNotice& slow) {
 }
 
 /// As the node: inputs are applied before a step, the state is published after it.
-StepHooks hooksOf(Job& job, SlowRunNotice& slow, StepWatch& watch) {
+StepHooks hooksOf(SimulateJob& job, SlowRunNotice& slow, StepWatch& watch) {
   StepHooks hooks;
   hooks.before = [&job, &watch] { watch.begin(job.simulation.time()); };
   if (job.record)
@@ -200,19 +71,19 @@ StepHooks hooksOf(Job& job, SlowRunNotice& slow, StepWatch& watch) {
   return hooks;
 }
 
-void writeRow(const State& state, Job& job) {
+void writeRow(const State& state, SimulateJob& job) {
   if (job.csv) job.csv->write(job.simulation.world(), state);
   if (job.plot) job.plot->write(state);
 }
 
-void describe(Job& job) {
+void describe(SimulateJob& job) {
   for (const std::string& line : describeSolution(job.simulation)) job.messages.add(line);
   // else an input to come may not be of this scene
   if (!job.record || job.record->replay().isDone()) job.messages.print();
 }
 
 /// Runs to the end, a row at every sample and at the end. Returns the last state.
-State simulate(Job& job, const StepHooks& hooks) {
+State simulate(SimulateJob& job, const StepHooks& hooks) {
   // a time that misses a multiple of the sample by rounding is one
   const auto slack = [](double ratio) { return std::max(1e-9, 1e-15 * ratio); };
   const double begin = job.begin / job.sample, end = job.end / job.sample;
@@ -239,7 +110,7 @@ State simulate(Job& job, const StepHooks& hooks) {
   return state;
 }
 
-State simulateOrReport(Job& job, StepWatch& watch) {
+State simulateOrReport(SimulateJob& job, StepWatch& watch) {
   SlowRunNotice slow(job.end);
   try {
     return simulate(job, hooksOf(job, slow, watch));
@@ -249,7 +120,7 @@ State simulateOrReport(Job& job, StepWatch& watch) {
   }
 }
 
-void finish(Job& job) {
+void finish(SimulateJob& job) {
   if (job.csv) job.csv->finish();
   if (job.imu_csv) job.imu_csv->finish();
   if (job.bag) job.bag->finish();
@@ -267,7 +138,7 @@ void finish(Job& job) {
   job.messages.print();
 }
 
-void drawPlots(Job& job) {
+void drawPlots(SimulateJob& job) {
   const std::string& directory = *job.options.plot;
   const auto note = [&job](const std::string& text) { job.note(text); };
   if (hasGnuplot())
@@ -278,14 +149,13 @@ void drawPlots(Job& job) {
 }
 
 void run(const SimulateOptions& options) {
-  requireDistinctFiles(options);
   StepWatch watch([](const std::string& text) {
     std::fprintf(stderr, "%s\n", noticeLine("simulate", text).c_str());
   });
   watch.begin(StepWatch::kBeforeTheRun);
-  Job job(options);
-  openInputs(job);
-  openOutputs(job);
+  SimulateJob job(options);
+  job.openInputs();
+  job.openOutputs();
   if (!job.record) describe(job);
 
   // contacts magnify errors, so that no choice of steps can promise the tolerance beforehand
