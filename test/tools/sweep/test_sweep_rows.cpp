@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <string>
 
@@ -112,6 +113,8 @@ TEST(SweepProgram, LeavesWholeRowsWhenInterrupted) {
   const std::string scene = files.written("scene.yaml", test::kPushedBall);
   const std::string study = files.written("study.yaml", kBallStudy);
   const std::string runs = " --runs 3000000 --threads 2 --out " + files.path("out");
+  // where the tests run in the background of a shell, it would be ignored
+  std::signal(SIGINT, SIG_DFL);
   // as soon as there are rows
   const test::Outcome stopped =
       test::runCommand("bash -c 'set -m; " RIGID_BODY_SIM_SWEEP " " + scene + " " + study + runs +
