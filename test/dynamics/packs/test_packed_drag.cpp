@@ -2,6 +2,7 @@
 
 #include "dynamics/run/run.hpp"
 #include "support/many_bodies.hpp"
+#include "support/packed_beside_single.hpp"
 #include "support/same_bits.hpp"
 #include "support/same_state.hpp"
 
@@ -36,19 +37,6 @@ test::Bench draggedBodies(std::size_t count) {
   return bench;
 }
 
-void expectSameAsSingly(const test::Bench& bench, const std::string& integrator, int steps) {
-  Simulation packed = bench.simulation(integrator, 0.01),
-             singly = bench.simulation(integrator, 0.01);
-  singly.trackBalance();
-  for (int i = 0; i < steps; ++i) {
-    packed.step();
-    singly.step();
-    if (i % 10 == 0) test::expectSameBits(packed, singly);
-  }
-  test::expectSameBits(packed, singly);
-  test::expectSameState(packed.state(), singly.state());
-}
-
 TEST(PackedDrag, IsInPacks) {
   for (const std::string& integrator : packedIntegrators()) {
     const test::Bench bench = draggedBodies(24);
@@ -66,7 +54,7 @@ TEST(PackedDrag, HasTheBitsOfBodiesByThemselves) {
   for (const std::string& integrator : packedIntegrators())
     for (std::size_t count : {1u, 3u, 50u}) {
       SCOPED_TRACE(integrator + ", bodies: " + std::to_string(count));
-      expectSameAsSingly(draggedBodies(count), integrator, 150);
+      test::expectSameAsSingly(draggedBodies(count), integrator, 150);
     }
 }
 
@@ -81,7 +69,7 @@ TEST(PackedDrag, DividesStepsOfFastBodiesAsEver) {
       if (i % 3 == 1) bench.addDrag(i, {0, share * mass / (2 * speed), 0});
       if (i % 3 == 2) bench.addDrag(i, {0, 0, share * bench.world.bodies[i].I[0]});
     }
-    expectSameAsSingly(bench, integrator, 100);
+    test::expectSameAsSingly(bench, integrator, 100);
     Simulation simulation = bench.simulation(integrator, 0.01);
     simulation.step();
     EXPECT_GT(simulation.maxSubsteps(), 1) << integrator;

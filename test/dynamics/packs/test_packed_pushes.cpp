@@ -2,6 +2,7 @@
 
 #include "dynamics/run/run.hpp"
 #include "support/many_bodies.hpp"
+#include "support/packed_beside_single.hpp"
 #include "support/same_bits.hpp"
 #include "support/same_state.hpp"
 
@@ -33,19 +34,6 @@ test::Bench pushedBodies(std::size_t count, double end) {
   return bench;
 }
 
-void expectSameRuns(const test::Bench& bench, const std::string& integrator, int steps) {
-  Simulation packed = bench.simulation(integrator, 0.01),
-             singly = bench.simulation(integrator, 0.01);
-  singly.trackBalance();
-  for (int i = 0; i < steps; ++i) {
-    packed.step();
-    singly.step();
-    if (i % 10 == 0) test::expectSameBits(packed, singly);
-  }
-  test::expectSameBits(packed, singly);
-  test::expectSameState(packed.state(), singly.state());
-}
-
 TEST(PackedPushes, AreInPacks) {
   for (const std::string& integrator : packedIntegrators()) {
     World world = pushedBodies(24, 1).world;
@@ -62,7 +50,7 @@ TEST(PackedPushes, HaveTheBitsOfBodiesByThemselves) {
   for (const std::string& integrator : packedIntegrators())
     for (std::size_t count : {1u, 2u, 5u, 41u}) {
       SCOPED_TRACE(integrator + ", bodies: " + std::to_string(count));
-      expectSameRuns(pushedBodies(count, 0.777), integrator, 150);
+      test::expectSameAsSingly(pushedBodies(count, 0.777), integrator, 150);
     }
 }
 
@@ -76,7 +64,7 @@ TEST(PackedPushes, SpinUpBodiesUntilStepsAreDivided) {
       turn.torque = Vector3d(20, 30, -10) * static_cast<double>(i + 1);
       bench.world.wrenches.push_back(turn);
     }
-    expectSameRuns(bench, integrator, 150);
+    test::expectSameAsSingly(bench, integrator, 150);
     Simulation simulation = bench.simulation(integrator, 0.01);
     simulation.step(150);
     EXPECT_GT(simulation.maxSubsteps(), 1) << integrator;
@@ -101,7 +89,7 @@ TEST(PackedPushes, KeepTheSignsOfZeros) {
         push.point = {zero, i % 3 == 0 ? 0.1 : zero, zero};
         bench.world.wrenches.push_back(push);
       }
-      expectSameRuns(bench, integrator, 3);
+      test::expectSameAsSingly(bench, integrator, 3);
     }
 }
 
