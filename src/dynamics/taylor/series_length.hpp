@@ -8,6 +8,12 @@
 /// How far truncated series hold.
 namespace rigid_body_sim {
 
+/// x to the power 1/n, to some 13 digits; 0 and infinity stay.
+template <class T>
+T nthRoot(T x, std::size_t n) {
+  return std::exp2(std::log2(x) / T(n));
+}
+
 /// Up to where a term of a degree is below a precision of a size; any length if it is zero. By
 /// logarithms: the quotient of the sizes may be no number.
 template <class T>

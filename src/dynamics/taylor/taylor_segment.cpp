@@ -65,12 +65,6 @@ TaylorPull<T> scaled(TaylorPull<T> pull, T time_unit) {
   return pull;
 }
 
-/// x to the power 1/n, to some 13 digits; 0 and infinity stay.
-template <class T>
-T root(T x, std::size_t n) {
-  return std::exp2(std::log2(x) / T(n));
-}
-
 }  // namespace
 
 template <class T>
@@ -241,10 +235,10 @@ template <class T>
 T TaylorSegmentT<T>::lengthBy(T last, T before, T size, T own) const {
   const std::size_t N = degree_;
   size = size * own;
-  const T s = root(size / last, N);
+  const T s = nthRoot(size / last, N);
   // before sᴺ⁻¹ <= 7 size, with sᴺ = size/last
   if (before <= T(7) * last * s) return s;
-  return std::min(s, root(T(7) * size / before, N - 1));
+  return std::min(s, nthRoot(T(7) * size / before, N - 1));
 }
 
 template <class T>
