@@ -8,12 +8,11 @@
 /// What steps of packs are made of: the numbers of some bodies, what acts on them, kicks and ways.
 namespace rigid_body_sim {
 
-/// The bodies of a block from one lane on.
-template <class T>
-class PackLanes {
+/// Numbers of a block from one lane on.
+template <class T, class Block>
+class BlockLanes {
  public:
-  RIGID_BODY_SIM_INLINE PackLanes(PackBlock& block, std::size_t lane)
-      : block_(block), lane_(lane) {}
+  RIGID_BODY_SIM_INLINE BlockLanes(Block& block, std::size_t lane) : block_(block), lane_(lane) {}
 
   RIGID_BODY_SIM_INLINE T at(int column) const {
     T value;
@@ -23,6 +22,23 @@ class PackLanes {
   RIGID_BODY_SIM_INLINE Triple<T> tripleAt(int column) const {
     return {at(column), at(column + 1), at(column + 2)};
   }
+
+ protected:
+  Block& block_;
+  std::size_t lane_;
+};
+
+/// The bodies of a block from one lane on.
+template <class T>
+class PackLanes : public BlockLanes<T, PackBlock> {
+  using Base = BlockLanes<T, PackBlock>;
+  using Base::block_;
+  using Base::lane_;
+
+ public:
+  using Base::at;
+  using Base::Base;
+
   RIGID_BODY_SIM_INLINE Quad<T> quadAt(int column) const {
     return {at(column), at(column + 1), at(column + 2), at(column + 3)};
   }
@@ -39,10 +55,6 @@ class PackLanes {
     put(column, Triple<T>{q.x, q.y, q.z});
     put(column + 3, q.w);
   }
-
- private:
-  PackBlock& block_;
-  std::size_t lane_;
 };
 
 template <class T>
@@ -75,12 +87,14 @@ struct PackWrench {
 /// What is held on the bodies of a block from one lane on, one force at a point of the body at
 /// most.
 template <class T>
-class PushLanes {
+class PushLanes : public BlockLanes<T, const PushBlock> {
+  using Base = BlockLanes<T, const PushBlock>;
+
  public:
   static constexpr bool kActs = true;
 
-  RIGID_BODY_SIM_INLINE PushLanes(const PushBlock& block, std::size_t lane)
-      : block_(block), lane_(lane) {}
+  using Base::Base;
+  using Base::tripleAt;
 
   /// As HeldWrench::at, and gravity.
   RIGID_BODY_SIM_INLINE PackWrench<T> held(const Triple<T>& f_W, const Quad<T>& q) const {
@@ -106,20 +120,6 @@ class PushLanes {
               lanes.tripleAt(kWorldSpinColumn) + h * (wrench.tau_W + rotate(q, wrench.tau_P)));
     return L_P + h * (rotateBack(q, wrench.tau_W) + wrench.tau_P);
   }
-
- protected:
-  RIGID_BODY_SIM_INLINE T at(int column) const {
-    T value;
-    load(block_.columns[column] + lane_, value);
-    return value;
-  }
-  RIGID_BODY_SIM_INLINE Triple<T> tripleAt(int column) const {
-    return {at(column), at(column + 1), at(column + 2)};
-  }
-
- private:
-  const PushBlock& block_;
-  std::size_t lane_;
 };
 
 /// The same with drag.
