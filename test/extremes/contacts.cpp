@@ -145,46 +145,32 @@ Cell landed(Cell cell, Bench bench, double tolerance, int count) {
   return cell;
 }
 
+/// One number of the bounce at each of the values.
+Cells bouncedAt(const std::string& section, double Bounce::*number,
+                const std::vector<double>& values) {
+  Cells cells;
+  for (const double value : values) {
+    Bounce bounce;
+    bounce.*number = value;
+    cells.push_back(bounced(section, value, bounce));
+  }
+  return cells;
+}
+
 }  // namespace
 
 Cells contactStiffnesses() {
-  Cells cells;
-  for (const double stiffness : {1e2, 1e4, 1e6, 1e8, 1e10}) {
-    Bounce bounce;
-    bounce.stiffness = stiffness;
-    cells.push_back(bounced("contact_stiffness", stiffness, bounce));
-  }
-  return cells;
+  return bouncedAt("contact_stiffness", &Bounce::stiffness, {1e2, 1e4, 1e6, 1e8, 1e10});
 }
 
 Cells contactMasses() {
-  Cells cells;
-  for (const double mass : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
-    Bounce bounce;
-    bounce.mass = mass;
-    cells.push_back(bounced("contact_mass", mass, bounce));
-  }
-  return cells;
+  return bouncedAt("contact_mass", &Bounce::mass, {1e-6, 1e-3, 1, 1e3, 1e6});
 }
 
-Cells contactSpeeds() {
-  Cells cells;
-  for (const double speed : {1.0, 10.0, 100.0, 1e3, 1e4}) {
-    Bounce bounce;
-    bounce.speed = speed;
-    cells.push_back(bounced("contact_speed", speed, bounce));
-  }
-  return cells;
-}
+Cells contactSpeeds() { return bouncedAt("contact_speed", &Bounce::speed, {1, 10, 100, 1e3, 1e4}); }
 
 Cells contactDrops() {
-  Cells cells;
-  for (const double drop : {1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3}) {
-    Bounce bounce;
-    bounce.drop = drop;
-    cells.push_back(bounced("contact_drop", drop, bounce));
-  }
-  return cells;
+  return bouncedAt("contact_drop", &Bounce::drop, {1e-12, 1e-9, 1e-6, 1e-3, 1, 1e3});
 }
 
 Cells contactFrictions() {

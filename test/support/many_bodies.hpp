@@ -33,4 +33,15 @@ inline Bench thrownBodies(std::size_t count, unsigned seed = 1) {
   return bench;
 }
 
+/// The same without weight and motion, every zero with the sign of the one given.
+inline Bench restingBodies(std::size_t count, double zero) {
+  Bench bench = thrownBodies(count);
+  bench.world.g_W.setZero();
+  for (BodyState& s : bench.initial.bodies) {
+    s.q_WP = Quaterniond(1, zero, zero, zero);
+    s.p_W = s.L_W = s.L_P = s.x_low_W = Vector3d::Constant(zero);
+  }
+  return bench;
+}
+
 }  // namespace rigid_body_sim::test

@@ -10,18 +10,34 @@
 /// itself.
 namespace rigid_body_sim::test {
 
-inline void expectSameAsSingly(const Bench& bench, const std::string& integrator, int steps) {
-  constexpr double kStep = 0.01;  // [s]
-  Simulation packed = bench.simulation(integrator, kStep);
-  Simulation singly = bench.simulation(integrator, kStep);
-  singly.trackBalance();
-  for (int i = 0; i < steps; ++i) {
-    packed.step();
-    singly.step();
-    if (i % 10 == 0) expectSameBits(packed, singly);
+struct PackedBesideSingle {
+  PackedBesideSingle(const Bench& bench, const std::string& integrator)
+      : packed(bench.simulation(integrator, 0.01)), singly(bench.simulation(integrator, 0.01)) {
+    singly.trackBalance();
   }
-  expectSameBits(packed, singly);
-  expectSameState(packed.state(), singly.state());
+
+  /// Both act, and take seven steps.
+  template <class Act>
+  void operator()(const Act& act) {
+    for (Simulation* simulation : {&packed, &singly}) {
+      act(*simulation);
+      simulation->step(7);
+    }
+    expectSameBits(packed, singly);
+  }
+
+  Simulation packed, singly;
+};
+
+inline void expectSameAsSingly(const Bench& bench, const std::string& integrator, int steps) {
+  PackedBesideSingle both(bench, integrator);
+  for (int i = 0; i < steps; ++i) {
+    both.packed.step();
+    both.singly.step();
+    if (i % 10 == 0) expectSameBits(both.packed, both.singly);
+  }
+  expectSameBits(both.packed, both.singly);
+  expectSameState(both.packed.state(), both.singly.state());
 }
 
 }  // namespace rigid_body_sim::test

@@ -3,7 +3,6 @@
 #include "dynamics/run/run.hpp"
 #include "support/many_bodies.hpp"
 #include "support/packed_beside_single.hpp"
-#include "support/same_bits.hpp"
 #include "support/same_state.hpp"
 
 // Bodies with drag, stepped in packs, beside the same runs while the balance is tracked: then each
@@ -80,16 +79,7 @@ TEST(PackedDrag, GoesOnFromAStateAndInAChangedWorld) {
   for (const std::string& integrator : packedIntegrators()) {
     const test::Bench bench = draggedBodies(14);
     test::expectToGoOnTheSame(bench.simulation(integrator, 0.01), {0, 3, 70});
-    Simulation packed = bench.simulation(integrator, 0.01),
-               singly = bench.simulation(integrator, 0.01);
-    singly.trackBalance();
-    const auto both = [&](const auto& act) {
-      for (Simulation* simulation : {&packed, &singly}) {
-        act(*simulation);
-        simulation->step(7);
-      }
-      test::expectSameBits(packed, singly);
-    };
+    test::PackedBesideSingle both(bench, integrator);
     both([](Simulation& sim) { sim.setPresent(3, std::nullopt); });
     both([](Simulation& sim) { sim.setPresent(3, sim.body(0)); });
     both([](Simulation& sim) { sim.setState(9, sim.body(0)); });

@@ -57,12 +57,7 @@ TEST(PackedExtremes, NeedlesAndPlatesKeepTheirBits) {
 TEST(PackedExtremes, RestingBodiesKeepTheSignsOfTheirZeros) {
   for (const std::string& integrator : packedIntegrators())
     for (double zero : {0.0, -0.0}) {
-      test::Bench bench = test::thrownBodies(6);
-      bench.world.g_W.setZero();
-      for (BodyState& s : bench.initial.bodies) {
-        s.q_WP = Quaterniond(1, zero, zero, zero);
-        s.p_W = s.L_W = s.L_P = s.x_low_W = Vector3d::Constant(zero);
-      }
+      test::Bench bench = test::restingBodies(6, zero);
       bench.initial.bodies[3].L_P = {0, 1, zero};
       bench.initial.bodies[3].L_W = {zero, 1, 0};
       expectSameEnd(bench, integrator, 0.01, 3);

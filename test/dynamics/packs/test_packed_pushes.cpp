@@ -3,7 +3,6 @@
 #include "dynamics/run/run.hpp"
 #include "support/many_bodies.hpp"
 #include "support/packed_beside_single.hpp"
-#include "support/same_bits.hpp"
 #include "support/same_state.hpp"
 
 // Bodies with torques and with forces in their own axes, stepped in packs, beside the same runs
@@ -74,12 +73,7 @@ TEST(PackedPushes, SpinUpBodiesUntilStepsAreDivided) {
 TEST(PackedPushes, KeepTheSignsOfZeros) {
   for (const std::string& integrator : packedIntegrators())
     for (double zero : {0.0, -0.0}) {
-      test::Bench bench = test::thrownBodies(6);
-      bench.world.g_W.setZero();
-      for (BodyState& s : bench.initial.bodies) {
-        s.q_WP = Quaterniond(1, zero, zero, zero);
-        s.p_W = s.L_W = s.L_P = s.x_low_W = Vector3d::Constant(zero);
-      }
+      test::Bench bench = test::restingBodies(6, zero);
       for (std::size_t i = 0; i < 6; ++i) {
         PointWrench push = test::worldForce({zero, zero, zero}, 0, 10);
         push.body = push.point_frame = i;
@@ -96,16 +90,7 @@ TEST(PackedPushes, KeepTheSignsOfZeros) {
 TEST(PackedPushes, ChangeBetweenSteps) {
   for (const std::string& integrator : packedIntegrators()) {
     const test::Bench bench = pushedBodies(14, 100);
-    Simulation packed = bench.simulation(integrator, 0.01),
-               singly = bench.simulation(integrator, 0.01);
-    singly.trackBalance();
-    const auto both = [&](const auto& act) {
-      for (Simulation* simulation : {&packed, &singly}) {
-        act(*simulation);
-        simulation->step(7);
-      }
-      test::expectSameBits(packed, singly);
-    };
+    test::PackedBesideSingle both(bench, integrator);
     both([](Simulation& sim) { sim.clearWrenches(3); });
     both([](Simulation& sim) { sim.clearWrenches(4); });
     both([](Simulation& sim) {
