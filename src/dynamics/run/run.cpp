@@ -139,12 +139,21 @@ std::vector<std::size_t> Run::acceptGroups(double t_end) {
 }
 
 void Run::accept(double t_end) {
-  std::vector<std::size_t> switched;  // none where all motion is known beforehand, in most steps
-  if (step_.hasBegun()) switched = acceptGroups(t_end);
+  if (step_.hasBegun()) return acceptBegun(t_end);
+  endStepAt(t_end);
+}
+
+/// Where more has been advanced than motion that is known beforehand.
+void Run::acceptBegun(double t_end) {
+  const std::vector<std::size_t> switched = acceptGroups(t_end);
+  endStepAt(t_end);
+  if (!switched.empty()) grouping_.regroup(now_, switched, t_end);
+}
+
+void Run::endStepAt(double t_end) {
   now_.time = t_end;
   ++now_.steps;
   if (now_.packs.size() > 0) now_.stepPacks(1);
-  if (!switched.empty()) grouping_.regroup(now_, switched, t_end);
 }
 
 void Run::put(const std::string& slot, const PointWrench& wrench) {

@@ -112,6 +112,8 @@ class Run {
   void advanceGroups(double t_end, ExchangeMeter* meter);
   std::vector<std::size_t> acceptGroups(double t_end);
   void accept(double t_end);
+  void acceptBegun(double t_end);
+  void endStepAt(double t_end);
   void takeBack();
   void preparePacks(double t_end, bool metered);
   std::int64_t packedSteps(std::int64_t at_most) const;
