@@ -27,11 +27,15 @@ NodeDriver::NodeDriver(const std::vector<std::string>& bodies) : bodies_(bodies)
         [this, body](const nav_msgs::Odometry& message) {
           const nav_msgs::Odometry before = odometry_[body];
           odometry_[body] = message;
-          // while paused the standing state comes again
-          const bool repeated = message.header.stamp == before.header.stamp &&
-                                message.pose.pose == before.pose.pose &&
-                                message.twist.twist == before.twist.twist;
-          if (body == bodies_[0] && !repeated) stamps_.push_back(message.header.stamp);
+          // while paused the standing state comes again, once a second of the wall, and so does
+          // what a reset has made of it
+          const bool same_time = message.header.stamp == before.header.stamp;
+          const bool repeated =
+              same_time && (was_reset_ || (message.pose.pose == before.pose.pose &&
+                                           message.twist.twist == before.twist.twist));
+          if (body != bodies_[0] || repeated) return;
+          stamps_.push_back(message.header.stamp);
+          was_reset_ = false;
         };
     subscribers_.push_back(nh_.subscribe<nav_msgs::Odometry>(body + "/odom", kQueueSize, hear));
   }
@@ -81,6 +85,7 @@ void NodeDriver::pause(bool paused) {
 void NodeDriver::reset() {
   std_srvs::Trigger call;
   if (!reset_.call(call) || !call.response.success) throw std::runtime_error("reset failed");
+  was_reset_ = true;
 }
 
 bool NodeDriver::heardAll(const ros::Time& stamp) const {

@@ -39,7 +39,7 @@ class NodeDriver {
   const geometry_msgs::TransformStamped& transform(const std::string& body) const;
 
   /// Stamps of all odometry of the first body, in order of arrival, without repetitions of the
-  /// standing state.
+  /// standing state, be it one that a reset has changed.
   const std::vector<ros::Time>& stamps() const { return stamps_; }
 
   /// Transforms of the last TFMessage.
@@ -57,6 +57,7 @@ class NodeDriver {
   std::map<std::string, nav_msgs::Odometry> odometry_;
   std::map<std::string, geometry_msgs::TransformStamped> transforms_;
   std::vector<ros::Time> stamps_;
+  bool was_reset_ = false;  // and no later time has been heard since
   std::size_t transforms_at_once_ = 0;
 };
 

@@ -53,32 +53,6 @@ TEST_F(Services, StepIsRefusedWhileTheSimulationRuns) {
   EXPECT_NE(call.response.message, "");
 }
 
-TEST_F(Services, OthersAreServedWhileManyStepsAreTakenAndPauseEndsThem) {
-  ros::NodeHandle nh;
-  ros::Time reported;
-  const boost::function<void(const SimStatus&)> note = [&](const SimStatus& status) {
-    reported = status.header.stamp;
-  };
-  const ros::Subscriber status = nh.subscribe<SimStatus>("rigid_body_node/status", 10, note);
-  Step call;
-  call.request.steps = std::numeric_limits<std::uint32_t>::max();
-  std::thread stepping([&] { EXPECT_TRUE(ros::service::call("rigid_body_node/step", call)); });
-  GetState before, after;
-  before.request.body = before.request.frame = after.request.body = after.request.frame = "box";
-  EXPECT_TRUE(ros::service::call("rigid_body_node/get_state", before));
-  EXPECT_TRUE(NodeDriver::waitFor([&] {
-    return ros::service::call("rigid_body_node/get_state", after) &&
-           after.response.stamp > before.response.stamp && reported > before.response.stamp;
-  }));
-  driver.pause(false);
-  stepping.join();
-  driver.pause(true);
-  EXPECT_FALSE(call.response.success);
-  EXPECT_NE(call.response.message.find("not paused"), std::string::npos) << call.response.message;
-  EXPECT_NE(call.response.message.find(" of 4294967295 steps were taken"), std::string::npos);
-  driver.reset();
-}
-
 TEST_F(Services, PauseSilencesEveryTopicUntilTheNextStep) {
   driver.pause(false);
   const std::size_t heard = driver.stamps().size();
@@ -112,6 +86,18 @@ TEST_F(Services, ResetGoesBackToTheInitialStateWhileTimeRunsOn) {
   expectStrictlyIncreasingStamps();
 }
 
+TEST_F(Services, AStateThatAResetHasChangedIsRepeatedWithTheTimeThatStands) {
+  driver.step(123);
+  const ros::Time standing = driver.step(0);
+  driver.reset();
+  const Motion at_start = reference.motion("box");
+  EXPECT_TRUE(NodeDriver::waitFor(
+      [&] { return distance(driver.motion("box"), at_start) < kRoundedDigits; }));
+  EXPECT_EQ(driver.odometry("box").header.stamp, standing);
+  EXPECT_EQ(driver.step(1), standing + kLopsidedStep);
+  expectStrictlyIncreasingStamps();
+}
+
 TEST_F(Services, MarkersAndFixedFramesReachALateSubscriber) {
   ros::NodeHandle nh;
   visualization_msgs::MarkerArray markers;
@@ -132,6 +118,34 @@ TEST_F(Services, MarkersAndFixedFramesReachALateSubscriber) {
   EXPECT_EQ(frames.transforms[1].child_frame_id, "post");
   EXPECT_EQ(frames.transforms[1].header.frame_id, "world");
   EXPECT_EQ(frames.transforms[2].child_frame_id, "post/top");
+}
+
+// The last one: it takes as many steps as the machine can, after which times have fewer digits than
+// the others compare.
+TEST_F(Services, OthersAreServedWhileManyStepsAreTakenAndPauseEndsThem) {
+  ros::NodeHandle nh;
+  ros::Time reported;
+  const boost::function<void(const SimStatus&)> note = [&](const SimStatus& status) {
+    reported = status.header.stamp;
+  };
+  const ros::Subscriber status = nh.subscribe<SimStatus>("rigid_body_node/status", 10, note);
+  Step call;
+  call.request.steps = std::numeric_limits<std::uint32_t>::max();
+  std::thread stepping([&] { EXPECT_TRUE(ros::service::call("rigid_body_node/step", call)); });
+  GetState before, after;
+  before.request.body = before.request.frame = after.request.body = after.request.frame = "box";
+  EXPECT_TRUE(ros::service::call("rigid_body_node/get_state", before));
+  EXPECT_TRUE(NodeDriver::waitFor([&] {
+    return ros::service::call("rigid_body_node/get_state", after) &&
+           after.response.stamp > before.response.stamp && reported > before.response.stamp;
+  }));
+  driver.pause(false);
+  stepping.join();
+  driver.pause(true);
+  EXPECT_FALSE(call.response.success);
+  EXPECT_NE(call.response.message.find("not paused"), std::string::npos) << call.response.message;
+  EXPECT_NE(call.response.message.find(" of 4294967295 steps were taken"), std::string::npos);
+  driver.reset();
 }
 
 }  // namespace rigid_body_sim
