@@ -44,24 +44,27 @@ void LiveMarkers::add(std::size_t body, double trail_width) {
 
 void LiveMarkers::remove(std::size_t body) {
   rotors_.erase(body);
-  if (trails_.erase(body) == 0) return;
+  if (trails_.erase(body) == 0 || !known_) return;
   for (int i = 0; i < Trail::kStrips; ++i) ended_trails_.push_back(firstTrailId(body) + i);
 }
 
 void LiveMarkers::endTrail(std::size_t body) {
   const auto trail = trails_.find(body);
-  if (trail == trails_.end()) return;
+  if (trail == trails_.end() || !known_) return;
   trail->second.breakOff();
   for (int i = 0; i < Trail::kStrips; ++i) ended_trails_.push_back(firstTrailId(body) + i);
 }
 
 void LiveMarkers::forget() {
+  if (!known_) return;
+  known_ = false;
   shown_.clear();
   ended_trails_.clear();
   breakTrails();
 }
 
 void LiveMarkers::publish(const Snapshot& snapshot, const ros::Time& stamp) {
+  known_ = true;
   MarkerArray all;
   addRotors(snapshot, all);
   addArrows(snapshot, all);

@@ -54,6 +54,7 @@ class LiveMarkers {
   std::map<std::size_t, Trail> trails_;         // by body
   std::vector<int> ended_trails_;               // of bodies given back: ids to delete
   std::map<std::size_t, RotorMarkers> rotors_;  // by body
+  bool known_ = false;                          // whether a message has gone to who still looks
 };
 
 }  // namespace rigid_body_sim
