@@ -46,9 +46,9 @@ class Packs {
 
   Packs() = default;
 
-  /// None of so many bodies are here; time_step [s].
-  Packs(std::size_t bodies, double time_step)
-      : time_step_(time_step), places_(bodies), is_used_(true) {}
+  /// None of so many bodies are here; time_step [s]; stepped by so many threads at most.
+  Packs(std::size_t bodies, double time_step, int threads)
+      : time_step_(time_step), threads_(threads), places_(bodies), is_used_(true) {}
 
   /// False where no body can be here, as the world's integrator or laws do not allow it.
   bool isUsed() const { return is_used_; }
@@ -83,7 +83,7 @@ class Packs {
 
   BodyState state(std::size_t body) const;
 
-  /// Writes the states of all bodies here among those of all bodies.
+  /// Writes the states of the bodies here among those of all bodies, by as many threads.
   void copyTo(std::vector<BodyState>& states) const;
 
   /// After so many steps of the run takes `count` more, at most certainSteps(), with all bodies.
@@ -133,6 +133,7 @@ class Packs {
   static std::int64_t evaluationsOf(const Shelf& shelf, const Lane& lane, std::int64_t steps);
 
   double time_step_ = 0;
+  int threads_ = 1;
   std::vector<Shelf> shelves_;
   std::vector<Place> places_;  // body by body
   std::vector<std::size_t> offered_;

@@ -119,6 +119,7 @@ class Run {
   std::int64_t packedSteps(std::int64_t at_most) const;
   void restartGroup(std::size_t body);
   Run goneOnTo(double t) const;
+  void readGroups(std::size_t first, std::size_t end, std::vector<BodyState>& states) const;
   std::vector<BodySchedule> scheduleEntries() const;
 
   ContactTrial contact_trial_;

@@ -55,7 +55,8 @@ void RunState::beginPacks() {
   const std::string& integrator = world->solver.integrator;
   const bool is_fit = integrator != "auto" && hasPackSteps(methodNamed(integrator)) &&
                       std::all_of(world->laws.begin(), world->laws.end(), asDrag);
-  packs = is_fit ? Packs(world->bodies.size(), world->solver.time_step) : Packs();
+  packs = is_fit ? Packs(world->bodies.size(), world->solver.time_step, world->solver.threads)
+                 : Packs();
   offerAll();
 }
 
