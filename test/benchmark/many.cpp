@@ -58,8 +58,7 @@ double millionsPerSecond(const Setting& setting, std::size_t count, int steps, d
       start,
       [&](Simulation& simulation) {
         for (int i = 0; i < steps; i += setting.read_each) {
-          simulation.step(setting.read_each);
-          simulation.readBodies(states);
+          simulation.step(setting.read_each, states);
         }
       },
       budget);
@@ -103,8 +102,7 @@ double byThreads(const char* integrator, std::size_t count, int threads) {
   for (int k = 0; k < 5; ++k) {
     const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < kSteps; i += 10) {
-      simulation.step(10);
-      simulation.readBodies(states);
+      simulation.step(10, states);
     }
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
     least = std::min(least, wall.count());

@@ -11,6 +11,9 @@ namespace rigid_body_sim {
 
 namespace {
 
+/// Bodies that are read after they have been stepped, before the next.
+constexpr std::size_t kReadAtOnce = 64;
+
 /// What takes a thread some 200 us: steps of one body, and states copied.
 constexpr std::size_t kLeastSteps = 16384, kLeastCopies = 16384;
 
@@ -129,15 +132,18 @@ BodyState Packs::state(std::size_t body) const {
                 place.lane % PackBlock::kLanes);
 }
 
+void Packs::copyLanes(const Shelf& shelf, std::size_t first, std::size_t end,
+                      std::vector<BodyState>& states) {
+  for (std::size_t i = first; i < end; ++i)
+    copyBody(shelf.blocks[i / PackBlock::kLanes], i % PackBlock::kLanes,
+             states[shelf.lanes[i].body]);
+}
+
 void Packs::copyTo(std::vector<BodyState>& states) const {
   for (const Shelf& shelf : shelves_) {
-    const auto copyPart = [&](std::size_t first, std::size_t end) {
-      for (std::size_t i = first; i < end; ++i)
-        copyBody(shelf.blocks[i / PackBlock::kLanes], i % PackBlock::kLanes,
-                 states[shelf.lanes[i].body]);
-    };
     const std::size_t bodies = shelf.lanes.size();
-    inParts(bodies, PackBlock::kLanes, worthwhileThreads(threads_, bodies, kLeastCopies), copyPart);
+    inParts(bodies, PackBlock::kLanes, worthwhileThreads(threads_, bodies, kLeastCopies),
+            [&](std::size_t first, std::size_t end) { copyLanes(shelf, first, end, states); });
   }
 }
 
@@ -169,7 +175,7 @@ void Packs::addNoTorque(const Place& place) {
     block.columns[kWorldSpinColumn + i][place.lane % PackBlock::kLanes] += 0.0;
 }
 
-void Packs::advance(std::int64_t steps, std::int64_t count) {
+void Packs::advance(std::int64_t steps, std::int64_t count, std::vector<BodyState>* read) {
   for (std::size_t body : new_)
     if (holds(body)) addNoTorque(places_[body]);
   new_.clear();
@@ -180,10 +186,14 @@ void Packs::advance(std::int64_t steps, std::int64_t count) {
   for (Shelf& shelf : shelves_) {
     const std::size_t bodies = shelf.lanes.size();
     const PackStep step = packKernelsFor(bodies).step(shelf.kind, shelf.load);
-    const auto stepPart = [&](std::size_t first, std::size_t end) {
-      const std::size_t block = first / PackBlock::kLanes;
-      step(lengths, static_cast<int>(count), shelf.blocks.data() + block,
-           shelf.pushes.empty() ? nullptr : shelf.pushes.data() + block, end - first);
+    const auto stepPart = [&](std::size_t begin, std::size_t end) {
+      const std::size_t at_once = read ? kReadAtOnce : end - begin;
+      for (std::size_t first = begin; first < end; first += at_once) {
+        const std::size_t block = first / PackBlock::kLanes, to = std::min(end, first + at_once);
+        step(lengths, static_cast<int>(count), shelf.blocks.data() + block,
+             shelf.pushes.empty() ? nullptr : shelf.pushes.data() + block, to - first);
+        if (read) copyLanes(shelf, first, to, *read);
+      }
     };
     const std::size_t work = bodies * static_cast<std::size_t>(count);
     inParts(bodies, PackBlock::kLanes, worthwhileThreads(threads_, work, kLeastSteps), stepPart);

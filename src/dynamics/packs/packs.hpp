@@ -87,7 +87,9 @@ class Packs {
   void copyTo(std::vector<BodyState>& states) const;
 
   /// After so many steps of the run takes `count` more, at most certainSteps(), with all bodies.
-  void advance(std::int64_t steps, std::int64_t count);
+  /// read: where their states are then copied to, among those of all bodies, while they are in the
+  /// nearest cache; or null.
+  void advance(std::int64_t steps, std::int64_t count, std::vector<BodyState>* read);
   std::int64_t certainSteps() const { return certain_steps_; }
 
   /// To be called when no more steps are certain: returns the bodies of which none is, to be
@@ -127,6 +129,8 @@ class Packs {
     std::vector<Lane> lanes;
   };
 
+  static void copyLanes(const Shelf& shelf, std::size_t first, std::size_t end,
+                        std::vector<BodyState>& states);
   void addNoTorque(const Place& place);
   void putLast(std::size_t lane, Shelf& shelf);
   Shelf& shelfOf(PackKind kind, PackLoad load, const Method& method, std::uint32_t& index);

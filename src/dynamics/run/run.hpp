@@ -49,7 +49,7 @@ class Run {
   void step() { advance(nullptr); }
 
   /// So many steps. Throws SimulationDiverged after those that could be taken.
-  void step(std::int64_t count);
+  void step(std::int64_t count, std::vector<BodyState>* states = nullptr);
 
   /// Goes on to a time t within the step that comes next; step() ends it. Not for a run of which
   /// events or inputs count.

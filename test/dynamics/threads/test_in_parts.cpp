@@ -75,9 +75,10 @@ std::vector<BodyState> run(test::Bench bench, const std::string& integrator, int
                            int steps) {
   bench.world.solver.threads = threads;
   Simulation simulation = bench.simulation(integrator, 0.01);
-  simulation.step(steps);
-  std::vector<BodyState> states;
-  simulation.readBodies(states);
+  std::vector<BodyState> states, again;
+  simulation.step(steps, states);
+  simulation.readBodies(again);
+  for (std::size_t i = 0; i < again.size(); ++i) EXPECT_TRUE(test::sameBits(states[i], again[i]));
   return states;
 }
 
