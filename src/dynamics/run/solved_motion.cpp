@@ -52,7 +52,8 @@ bool isModest(const HeldWrench& wrench) {
 
 SolvedMotion::Motion SolvedMotion::solve(const SolvedProblem& p, double t, const BodyState& state,
                                          double duration) {
-  if (p.wrench.torqueFree()) return FreeFlight(p.body, p.wrench.f_W + p.body.mass * p.g_W, state);
+  if (p.wrench.torqueFree())
+    return FreeFlight(p.body, p.wrench.f_W + p.body.mass * p.g_W, state, p.read_once);
   if (const auto axial = AxialFlight::of(p.body, p.wrench, p.g_W, state)) return *axial;
   if (p.wrench.drive)
     return Driven(std::in_place, p.body, p.wrench, p.g_W, state, t - p.wrench.drive->start,
