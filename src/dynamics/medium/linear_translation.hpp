@@ -9,7 +9,8 @@ namespace rigid_body_sim {
 /// through the medium, which moves at w, and k = linear/m:
 ///   u = e^(−kt) u₀ + t φ₁(kt) a,   x = x₀ + w t + t φ₁(kt) u₀ + t² φ₂(kt) a,
 ///   φ₁(z) = (1 − e^(−z))/z,   φ₂(z) = (1 − φ₁(z))/z.
-/// No term cancels another that is not there: each is an exponential's mean.
+/// Where there is little decay, by what is added to v₀ and v₀ t, as little of w comes to act:
+///   v = v₀ − (1 − e^(−kt)) u₀ + t φ₁(kt) a,   x = x₀ + v₀ t − k t² φ₂(kt) u₀ + t² φ₂(kt) a.
 class LinearTranslation {
  public:
   /// mass [kg], rate k [1/s], a_W [m/s²], medium_W [m/s] the velocity of the medium.

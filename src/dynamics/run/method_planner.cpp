@@ -12,18 +12,21 @@ namespace {
 constexpr double kMaxTrialSteps = 3e5;
 constexpr double kFullTrials = 10;  // groups that may take so much; more of them share it
 
-/// Whether a law may begin to act on bodies that it finds by bounds on their motion, which drag
-/// has not.
-bool actsInPlaces(const World& world) {
-  return std::any_of(world.laws.begin(), world.laws.end(),
-                     [](const auto& law) { return law->isOneSided(); });
+/// Body by body, whether a law may begin to act on it that finds that by bounds on its motion,
+/// which drag has not.
+std::vector<bool> watchedBodies(const World& world) {
+  std::vector<bool> watched(world.bodies.size());
+  for (const auto& law : world.laws)
+    if (law->isOneSided())
+      for (std::size_t body : law->members()) watched[body] = true;
+  return watched;
 }
 
 }  // namespace
 
 MethodPlanner::MethodPlanner(const World& world)
     : method_(world.solver.integrator == "auto" ? nullptr : &methodNamed(world.solver.integrator)),
-      solves_media_(!actsInPlaces(world)),
+      watched_(watchedBodies(world)),
       contact_bound_(contactStepBound(world.solver.tolerance)),
       contact_work_(mostContactWork(world.solver.time_step)) {}
 
@@ -38,8 +41,8 @@ bool MethodPlanner::isSolved(const World& world, const CoupledBodies& group, uns
   if (group.members.size() != 1) return false;
   if (needs == 0) return true;
   const WrenchSchedule& schedule = schedules[group.members[0]];
-  return solves_media_ && !world.bodies[group.members[0]].pivoted && !schedule.actuators() &&
-         schedule.allHeld() &&
+  return !watched_[group.members[0]] && !world.bodies[group.members[0]].pivoted &&
+         !schedule.actuators() && schedule.allHeld() &&
          std::all_of(group.laws.begin(), group.laws.end(),
                      [&world](std::size_t law) { return world.laws[law]->isOfMedium(); });
 }

@@ -60,8 +60,8 @@ class MethodPlanner {
   bool isSolved(const World& world, const CoupledBodies& group, unsigned needs,
                 const std::vector<WrenchSchedule>& schedules) const;
 
-  const Method* method_;  // null: auto
-  bool solves_media_;     // whether motions in a medium may be solved
+  const Method* method_;       // null: auto
+  std::vector<bool> watched_;  // body by body: its motion in a medium may not be solved
   double max_turn_share_ = 1;
   double contact_bound_;
   double contact_work_;

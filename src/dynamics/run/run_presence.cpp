@@ -34,20 +34,28 @@ void startAnew(RunState& run, std::size_t law, std::vector<double>& law_states) 
   run.law_states = law_states;
 }
 
-/// Drops the plans of a body, and of those with which laws that act link it: they form anew.
+/// Drops the plans of a body, and of those with which laws link it that act, or may begin to where
+/// the others are solved in a medium: they form anew.
 void dropPlans(const RunState& run, std::size_t body, std::vector<MotionPlan>& plans) {
-  std::vector<std::size_t> linked{body};
-  for (std::size_t law = 0; law < run.world->laws.size(); ++law) {
-    if (!isMember(*run.world->laws[law], body) || !run.acts(law)) continue;
-    const std::vector<std::size_t> members = run.world->laws[law]->members();
-    linked.insert(linked.end(), members.begin(), members.end());
+  std::vector<std::size_t> linked{body}, watched;
+  for (std::size_t i = 0; i < run.world->laws.size(); ++i) {
+    const ForceLaw& law = *run.world->laws[i];
+    if (!isMember(law, body)) continue;
+    std::vector<std::size_t>& to = run.acts(i) ? linked : watched;
+    if (!run.acts(i) && !law.isOneSided()) continue;
+    const std::vector<std::size_t> members = law.members();
+    to.insert(to.end(), members.begin(), members.end());
   }
-  const auto isLinked = [&](const MotionPlan& plan) {
-    return std::any_of(linked.begin(), linked.end(), [&](std::size_t member) {
+  const auto hasAny = [](const MotionPlan& plan, const std::vector<std::size_t>& bodies) {
+    return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t member) {
       return std::binary_search(plan.bodies.begin(), plan.bodies.end(), member);
     });
   };
-  plans.erase(std::remove_if(plans.begin(), plans.end(), isLinked), plans.end());
+  const auto isDropped = [&](const MotionPlan& plan) {
+    const bool in_medium = plan.integrator.empty() && !plan.laws.empty();
+    return hasAny(plan, linked) || (in_medium && hasAny(plan, watched));
+  };
+  plans.erase(std::remove_if(plans.begin(), plans.end(), isDropped), plans.end());
 }
 
 /// The state of a body whose motors start now, and theirs.

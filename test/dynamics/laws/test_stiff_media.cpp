@@ -71,6 +71,30 @@ TEST(LinearMediumDrag, IsExactHoweverStiffOrWeakItIs) {
   }
 }
 
+// What little a wind that is fast moves a body at rest: v = (1 − e^(−kt)) w, and its integral.
+TEST(LinearMediumDrag, KeepsTheDigitsOfWhatALittleOfItMoves) {
+  struct Case {
+    double mass, linear, wind, t;
+  };
+  for (const Case& c : {Case{1, 1e-9, 10, 1}, Case{1000, 1e-6, 7500, 10}, Case{1, 1e-12, 3, 2},
+                        Case{1e12, 1e-12, 3, 2}, Case{1, 0.9, 3, 1}, Case{1, 1.1, 3, 1}}) {
+    Bench bench;
+    bench.add(test::principalBody("ball", c.mass, {1, 1, 1}), {});
+    Coefficients drag;
+    drag.linear.alike = c.linear;
+    bench.world.laws.push_back(std::make_shared<MediumDrag>(0, drag, Vector3d(c.wind, 0, 0)));
+    Simulation sim = bench.simulation("auto", c.t);
+    sim.step();
+    using Real = long double;
+    const Real k = Real(c.linear) / c.mass, z = k * c.t;
+    const Real v = -std::expm1(-z) * c.wind;
+    const Real x =
+        z < 1e-6L ? z * c.t * c.wind * (0.5L - z / 6) : (z + std::expm1(-z)) / k * c.wind;
+    EXPECT_NEAR(sim.body(0).p_W.x() / c.mass, double(v), 1e-15 * double(v)) << c.linear;
+    EXPECT_NEAR(sim.body(0).x_W.x(), double(x), 2e-15 * double(x)) << c.linear;
+  }
+}
+
 // Where the translation goes by itself, the rotation is a series beside it: under drag of rotation
 // along axes, levers, lift off the centre and couples, all that dop853 evaluates force by force.
 TEST(LinearMediumDrag, LeavesTheRotationToItsSeries) {

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
+#include <rigid_body_sim/dynamics/line_force.hpp>
+#include <rigid_body_sim/dynamics/medium_drag.hpp>
+#include <rigid_body_sim/dynamics/tether.hpp>
 
 #include "support/contact_benches.hpp"
 #include "support/law_benches.hpp"
@@ -155,6 +158,49 @@ TEST(Presence, ABodyThatComesInTouchesWhatIsThere) {
   sim = advanced(sim, 100);
   EXPECT_GT(sim.body(1).x_W.z(), 0.05);  // on the ground or on the other ball
   EXPECT_LT(sim.body(1).x_W.z(), 0.4);
+}
+
+/// A body that falls through air, solved, and one that is absent, on a tether to it or to the
+/// world.
+Bench faller(bool tied) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  bench.add(test::principalBody("faller", 2, {1, 2, 2.5}), test::tumbling({0.1, 0, 0}, {0, 1, 0}));
+  bench.add(test::principalBody("guest", 1, {1, 1, 1}), test::motionAt({0, 0, 0}));
+  bench.world.bodies[1].absent = true;
+  MediumDrag::Coefficients drag;
+  drag.linear.alike = 0.3;
+  bench.world.laws.push_back(std::make_shared<MediumDrag>(0, drag, Vector3d(3, 0, 0)));
+  const Spring::End other{tied ? 0 : kWorld, {0, 0, 0}};
+  bench.world.laws.push_back(
+      std::make_shared<Tether>(other, Spring::End{1, {0, 0, 0}}, Tether::Constants{100, 0, 1}));
+  return bench;
+}
+
+TEST(Presence, OfAWatchedBodyLeavesTheBitsOfOneInAir) {
+  const Simulation start = advanced(faller(false).simulation("auto", kPresenceStep), 20);
+  Simulation entered = start;
+  entered.setPresent(1, toBodyState(start.world().bodies[1], test::motionAt({0, 0, 0.5})));
+  ASSERT_EQ(entered.plans().size(), 2u);
+  EXPECT_EQ(entered.plans()[0].integrator, "");
+  const BodyState with = advanced(entered, 100).body(0), without = advanced(start, 100).body(0);
+  test::expectSameBodyState(with, without);
+}
+
+TEST(Presence, OfABodyOnATetherEndsThatTheOtherIsSolvedInAir) {
+  const Bench bench = faller(true);
+  const auto run = [&](const std::string& integrator, int parts) {
+    Simulation sim = advanced(bench.simulation(integrator, kPresenceStep / parts), 20 * parts);
+    EXPECT_EQ(sim.plans()[0].integrator.empty(), integrator == "auto");
+    const Vector3d below = sim.body(0).x_W - Vector3d(0, 0, 0.5);
+    sim.setPresent(1, toBodyState(bench.world.bodies[1], test::motionAt(below)));
+    EXPECT_FALSE(sim.plans()[0].integrator.empty());
+    return advanced(sim, 100 * parts);
+  };
+  const Simulation sim = run("auto", 1), fine = run("dop853", 10);
+  EXPECT_GT(std::abs(lineForcesOf(fine.world(), fine.state())[0].tension), 1);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_LT(distanceBetween(sim.body(i), fine.body(i)), 1e-9) << i;  // the tolerance
 }
 
 TEST(Presence, MotorsStartAnewWhereTheirBodyComesIn) {
