@@ -1,6 +1,5 @@
 #include "dynamics/packs/in_parts.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <system_error>
 #include <thread>
@@ -8,11 +7,9 @@
 
 namespace rigid_body_sim {
 
-void inParts(std::size_t items, std::size_t unit, std::size_t threads,
-             const std::function<void(std::size_t first, std::size_t end)>& part) {
+void inThreads(std::size_t items, std::size_t unit, std::size_t threads,
+               const std::function<void(std::size_t first, std::size_t end)>& part) {
   const std::size_t units = (items + unit - 1) / unit;
-  threads = std::max<std::size_t>(1, std::min(threads, units));
-  if (threads == 1) return part(0, items);
   std::vector<std::exception_ptr> thrown(threads);
   const auto run = [&](std::size_t k) {
     const auto bound = [&](std::size_t i) { return std::min(items, i * units / threads * unit); };
