@@ -69,8 +69,9 @@ bool ActuatorSchedule::advanceTo(double t) {
 void ActuatorSchedule::start(const ActuatorCommand& command, double t) {
   const ActuatorEntry& entry = (*table_)[command.actuator];
   const double u = std::min(std::max(command.value, entry.least), entry.greatest);
-  setCommand(command.actuator, u, t);
   ActuatorState& state = states_[command.actuator];
+  // said again, it changes nothing: a lag that began anew with each of many would never end
+  if (u != state.command) setCommand(command.actuator, u, t);
   if (u != command.value) ++state.saturations;
   state.until = command.end;
 }

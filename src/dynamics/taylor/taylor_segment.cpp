@@ -234,7 +234,7 @@ T TaylorSegmentT<T>::length(T size) const {
 template <class T>
 T TaylorSegmentT<T>::lengthBy(T last, T before, T size, T own) const {
   const std::size_t N = degree_;
-  size = size * own;
+  size = std::max(size * own, std::numeric_limits<T>::min());  // below, digits are lost anyway
   const T s = nthRoot(size / last, N);
   // before sᴺ⁻¹ <= 7 size, with sᴺ = size/last
   if (before <= T(7) * last * s) return s;

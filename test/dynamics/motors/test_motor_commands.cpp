@@ -59,6 +59,40 @@ TEST(MotorCommands, ScheduledAndSentCommandsGiveTheSameBits) {
   expectSameBits(sim.state(), sent.state());
 }
 
+// as by a pilot that publishes it a hundred times a second
+TEST(MotorCommands, SaidAgainChangeNothing) {
+  for (const double value : {0.0, 25.0}) {
+    Bench once = motleyBench(), often = once;
+    once.world.commands = {commandOf(0, value, 0), commandOf(1, value, 0)};
+    for (int k = 0; k < 1500; ++k)
+      for (const std::size_t motor : {0u, 1u})
+        often.world.commands.push_back(commandOf(motor, value, 0.01 * k));
+    Simulation one = once.simulation("auto", 0.01), many = often.simulation("auto", 0.01);
+    stepTo(one, 1500);
+    stepTo(many, 1500);
+    const State a = one.state(), b = many.state();
+    for (std::size_t motor : {0u, 1u}) {
+      EXPECT_EQ(b.actuators[0][motor].value, value);  // the lag has ended
+      EXPECT_EQ(a.actuators[0][motor].since, b.actuators[0][motor].since);
+    }
+    // 1500 pieces of the motion beside a few, each rounded
+    EXPECT_LT((a.bodies[0].q_WP.coeffs() - b.bodies[0].q_WP.coeffs()).norm(), 1e-12);
+    EXPECT_LT((a.bodies[0].p_W - b.bodies[0].p_W).norm(), 1e-12 * a.bodies[0].p_W.norm());
+  }
+}
+
+// 708 time constants of a thruster and 354 of a rotor, whose thrust is squared, are 1e-308
+TEST(MotorCommands, MayKeepALagGoingUntilItUnderflows) {
+  Bench bench = motleyBench();
+  for (int k = 0; k < 2000; ++k)
+    for (const std::size_t motor : {0u, 1u})
+      bench.world.commands.push_back(commandOf(motor, k % 2 * 1e-310, 0.1 * k));
+  Simulation sim = bench.simulation("auto", 0.1);
+  stepTo(sim, 2000);
+  EXPECT_LT(std::abs(sim.state().actuators[0][0].value), 1e-300);
+  EXPECT_TRUE(sim.body(0).q_WP.coeffs().allFinite());
+}
+
 TEST(MotorCommands, ARunCutInTwoHasTheSameBits) {
   Bench bench = motleyBench();
   bench.world.commands = {commandOf(1, -30, 0.105), commandOf(0, 5, 0.2), commandOf(3, 0.2, 0.25)};
