@@ -140,7 +140,7 @@ std::string contactText(const Simulation& simulation) {
   if (trial.is_made && !trial.compares) {
     text << "contact: whether tolerance " << solver.tolerance
          << " holds is not known: the work of a trial ended before there was anything to compare; "
-            "a shorter time_step or horizon, or a lower stiffness, lets it tell";
+            "try a shorter time_step or horizon, or a lower stiffness";
     return text.str();
   }
   const double tighter = contactStepBound(solver.tolerance) / trial.step_bound;

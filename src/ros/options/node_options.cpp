@@ -137,7 +137,7 @@ std::array<double, 6> readDiagonal(const std::string& name, XmlRpcValue value) {
 std::optional<double> readTime(const std::string& name, XmlRpcValue value) {
   constexpr double kLatest = std::numeric_limits<std::uint32_t>::max();  // of ros::Time
   const double x = number(value);
-  if (!(x >= 0) || !(x <= kLatest)) refuse(name, value, "a time >= 0 s that ROS can tell");
+  if (!(x >= 0) || !(x <= kLatest)) refuse(name, value, "a time >= 0 s that ROS can represent");
   return x;
 }
 

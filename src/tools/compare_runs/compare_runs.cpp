@@ -13,7 +13,7 @@ namespace rigid_body_sim {
 namespace {
 
 const char* const kHelp = R"(usage: compare_runs FIRST SECOND [options]
-Compares two runs at the instants that both hold, and prints the greatest differences of each body
+Compares two runs at the instants that are in both, and prints the greatest differences of each body
 that is in both. Both are
   bags (.bag): the odometry of the bodies, recorded from a node or written by simulate --bag; or
   CSV files (any other name) of simulate --csv.

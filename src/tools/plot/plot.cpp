@@ -17,7 +17,7 @@ namespace {
 
 const char* const kHelp = R"(usage: plot FILE ... [options]
 Draws a run over time, as SVG pictures: position, attitude, velocity and angular velocity; forces and
-torques; energy and momentum, and what work and impulses do not account for of them. FILE is
+torques; energy and momentum, and the part of them that work and impulses do not account for. FILE is
   a bag (.bag), recorded from a node or written by simulate --bag. Motion is read from the odometry
     of the bodies, forces from <body>/applied_wrench, <body>/pivot_force and ~contacts, energy and
     momentum from ~status: whatever of these the bag holds; or

@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{SCENE " _publish_rat:=1", "~publish_rat: unknown, got '1'; known: body_topics"},
         Refusal{SCENE " _publish_clock:=true", "~publish_clock: must be false unless"},
         Refusal{SCENE " _reset_time:=true", "~reset_time: must be false unless ~publish_clock"},
-        Refusal{SCENE " _start_time:=-1", "~start_time: must be a time >= 0 s that ROS can tell"},
+        Refusal{SCENE " _start_time:=-1", "~start_time: must be a time >= 0 s that ROS can represent"},
         Refusal{"__name:=box " SCENE, "body 'box': name must not be that of the node"},
         Refusal{"_scene_file:=absent.yaml", "absent.yaml: cannot be opened"},
         Refusal{"_scene:=/tmp/top.yaml", "a path belongs in ~scene_file, got '/tmp/top.yaml'"},
