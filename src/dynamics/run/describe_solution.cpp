@@ -202,7 +202,7 @@ std::string magnificationOfSolved(const Simulation& simulation) {
   return magnifiedText(world.bodies[which], most);
 }
 
-/// A line for each body, or, of very many, for neighbours of which the same is to be said.
+/// A line for each body, or, of very many, for neighbours with the same line.
 std::vector<std::string> linesOf(const World& world, const std::vector<std::string>& texts) {
   constexpr std::size_t kMany = 40;
   std::vector<std::string> lines;
@@ -222,9 +222,9 @@ std::vector<std::string> linesOf(const World& world, const std::vector<std::stri
 
 std::string magnifiedText(const Body& body, double magnification) {
   return "the motion of body '" + body.name +
-         "' magnifies a difference at its start, rounding, too, 10^" +
+         "' has magnified differences of its start, rounding among them, 10^" +
          std::to_string(std::llround(std::log10(magnification))) +
-         " times by now: it is that of its start to the last digit, and no body starts so exactly";
+         " times by now: it is exact for this start, but no real body starts so exactly";
 }
 
 std::vector<std::string> describeSolution(const Simulation& simulation) {
@@ -266,8 +266,7 @@ std::string describeMagnification(const Simulation& simulation) {
          " has magnified what a body turns about its axis of least inertia 10^" +
          std::to_string(std::llround(digits)) +
          " times, rounding, too, so that the motion may be wrong: take another integrator, or a "
-         "far "
-         "smaller time_step";
+         "far smaller time_step";
 }
 
 std::string describePromise(const Simulation& simulation) {
@@ -276,8 +275,7 @@ std::string describePromise(const Simulation& simulation) {
   std::ostringstream text;
   text << "from " << lost_at << " s on, tolerance " << simulation.world().solver.tolerance
        << " is not certain to be held: a second run, at looser bounds of its steps, differs from "
-          "this "
-          "one by more than that";
+          "this one by more than that";
   return text.str();
 }
 

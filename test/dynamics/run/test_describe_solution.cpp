@@ -41,8 +41,8 @@ TEST(DescribeMagnification, SpeaksOfAFreeRotationNearTheUnstableAxis) {
   const Vector3d middle(0, 3, 0), stable(0, 0, 3), tumbles(1, 2, 3);
   EXPECT_EQ(after(middle, 7), "");  // 2e5
   EXPECT_EQ(after(middle, 12),      // 1e9
-            "the motion of body 'wing_nut' magnifies a difference at its start, rounding, "
-            "too, 10^9 times by now: it is that of its start to the last digit, and no body starts "
+            "the motion of body 'wing_nut' has magnified differences of its start, rounding among "
+            "them, 10^9 times by now: it is exact for this start, but no real body starts "
             "so exactly");
   EXPECT_EQ(after(stable, 1000), "");
   EXPECT_EQ(after(tumbles, 1000), "");
@@ -65,7 +65,7 @@ TEST(DescribeInstability, SpeaksOfAPendulumUpsideDown) {
     return describeInstability(sim, start);
   };
   EXPECT_EQ(after(0, 4), "");  // 5e6
-  EXPECT_EQ(after(0, 6).rfind("the motion of body 'rod' magnifies a difference at its start", 0),
+  EXPECT_EQ(after(0, 6).rfind("the motion of body 'rod' has magnified differences of its start", 0),
             0U)
       << after(0, 6);
   EXPECT_EQ(after(M_PI, 40), "");  // hanging
