@@ -26,12 +26,13 @@ Patch::Patch(const Feature& feature, const ContactParameters& parameters, double
 Patch::Pose::Pose(const Body& on, const BodyState& at, const Plane& against)
     : body(on),
       state(at),
+      o_W(against.half_space.origin_W),
       n_W(against.n_W),
       e1_W(against.e1_W),
       e2_W(against.e2_W),
       v_W(at.p_W / on.mass),
       w_W(rotate(at.q_WP, angularVelocity(on.inv_I, at.L_P))),
-      height(n_W.dot(at.x_W - against.half_space.origin_W)),
+      height(n_W.dot(at.x_W - o_W)),
       height_low(n_W.dot(at.x_low_W)) {}
 
 Patch::Now Patch::now(const Pose& pose, const double* own) const {
@@ -198,12 +199,19 @@ double Patch::longestStep(const Pose& pose, const double* own, double precision)
   return longest;
 }
 
+DepthRounding Patch::rounding(const Pose& pose) const {
+  const double reach = feature_.reach();
+  return DepthRounding::of(pose.n_W.cwiseAbs().dot((pose.state.x_W - pose.o_W).cwiseAbs()) + reach,
+                           pose.v_W.norm() + reach * pose.w_W.norm());
+}
+
 void Patch::setGuards(const Pose& pose, const double* own, double* guards) const {
   const Now at = now(pose, own);
+  const DepthRounding of_depth = rounding(pose);
   std::fill_n(guards, guardCount(), 1.0);
   for (std::size_t j = 0; j < at.count; ++j) {
     const bool touching = (at.mode & (kTouches << j)) != 0;
-    guards[2 * j] = at.point[j].touchGuard(touching);
+    guards[2 * j] = at.point[j].touchGuard(touching, of_depth);
     guards[2 * j + 1] = at.point[j].pushGuard(c_, touching);
   }
   if (!touches(at.mode)) return;

@@ -44,9 +44,9 @@ class Patch {
   struct Pose {
     const Body& body;
     const BodyState& state;
-    const Vector3d &n_W, &e1_W, &e2_W;  ///< axes of the plane
-    Vector3d v_W, w_W;                  ///< of the body [m/s], [rad/s]
-    double height;                      ///< [m] of the centre of mass; its small part apart
+    const Vector3d &o_W, &n_W, &e1_W, &e2_W;  ///< a point of the plane, and its axes
+    Vector3d v_W, w_W;                        ///< of the body [m/s], [rad/s]
+    double height;                            ///< [m] of the centre of mass; its small part apart
     double height_low;
 
     Pose(const Body& on, const BodyState& at, const Plane& against);
@@ -96,6 +96,7 @@ class Patch {
   void addWrenchOf(const Pose& pose, const Now& now, const double* own, Wrench& wrench) const;
   void setRatesOf(const Now& now, const double* own, double* rates) const;
   bool holdsSpin(const Now& now, const double* own, const Stray& stray, double loss) const;
+  DepthRounding rounding(const Pose& pose) const;
   void placeFriction(const Pose& pose, Now& now) const;
   bool spins() const { return bristle_.exists() && feature_.kind == Feature::Kind::kRim; }
 
