@@ -189,20 +189,18 @@ void BallContact::setRates(const Bodies& at, double* rates) const {
   });
 }
 
-DepthRounding BallContact::rounding(const Now& now, const Frame& a, const Frame& b) {
-  const double arm_a = now.arm_a_W.norm(), arm_b = now.arm_b_W.norm();
-  return DepthRounding::of(
-      now.distance + arm_a + arm_b,
-      a.v_W.norm() + b.v_W.norm() + arm_a * a.w_W.norm() + arm_b * b.w_W.norm());
-}
-
 void BallContact::setGuards(const Bodies& at, double* guards) const {
   const Frame a = frameOf(a_, at), b = frameOf(b_, at);
   const double* own = at.own;
   for (std::size_t pair = 0; pair < pairCount(); ++pair, own += kOwnCount, guards += kGuardCount) {
     const Now now = this->now(pair, a, b, modeOf(own));
     const bool touches = (now.mode & kTouches) != 0;
-    guards[kTouch] = now.point.touchGuard(touches, rounding(now, a, b));
+    const double arm_a = now.arm_a_W.norm(), arm_b = now.arm_b_W.norm();
+    guards[kTouch] =
+        now.point.touchGuard(touches, kDepthRounding * (now.distance + arm_a + arm_b), [&] {
+          return kDepthRounding *
+                 (a.v_W.norm() + b.v_W.norm() + arm_a * a.w_W.norm() + arm_b * b.w_W.norm());
+        });
     guards[kPull] = now.point.pushGuard(c_, touches);
     guards[kSlip] = 1;
     if (!touches || !bristle_.exists()) continue;

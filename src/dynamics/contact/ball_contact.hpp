@@ -77,7 +77,6 @@ class BallContact final : public ContactLaw {
   std::size_t pairCount() const { return a_.balls.size() * b_.balls.size(); }
   static Frame frameOf(const Side& side, const Bodies& at);
   Now now(std::size_t pair, const Frame& a, const Frame& b, unsigned mode) const;
-  static DepthRounding rounding(const Now& now, const Frame& a, const Frame& b);
   Pull pull(const Now& now, const double* own) const;
   Vector3d forceOnA(const Now& now, const double* own) const;
   void addForceOnA(const Now& now, const Vector3d& f_W, std::vector<Wrench>& wrenches) const;

@@ -16,17 +16,8 @@ inline double oddPower(double depth, double p) {
   return std::copysign(std::pow(std::abs(depth), p), depth);
 }
 
-/// What rounding may shift the depth of a point and its rate by.
-struct DepthRounding {
-  double depth;  ///< [m]
-  double rate;   ///< [m/s]
-
-  /// size [m], speed [m/s]: of the terms that both are differences of.
-  static DepthRounding of(double size, double speed) {
-    constexpr double kShare = 8 * std::numeric_limits<double>::epsilon();
-    return {kShare * size, kShare * speed};
-  }
-};
+/// What rounding may shift a difference by, as a share of its terms.
+constexpr double kDepthRounding = 8 * std::numeric_limits<double>::epsilon();
 
 /// A point that touches: the normal force and its energy.
 struct NormalPoint {
@@ -36,13 +27,15 @@ struct NormalPoint {
 
   /// Below zero where it begins to touch, or lets go: as δ passes zero the way that δ' shows.
   /// Against that way only where δ is beyond its rounding: else what has just let go would touch
-  /// again at once. What lies on the plane exactly, at rest, touches it.
-  double touchGuard(bool touches, const DepthRounding& rounding) const {
+  /// again at once. What lies on the plane exactly, at rest, touches it. rate_rounding(): what δ'
+  /// may err by; asked for where that matters.
+  template <class Rounding>
+  double touchGuard(bool touches, double depth_rounding, const Rounding& rate_rounding) const {
     constexpr double kTiny = 1e-300;
-    const bool leaves = rate < -rounding.rate;
-    const double signed_depth = depth != 0 ? depth : (leaves ? -kTiny : kTiny);
-    if (touches) return leaves ? signed_depth : depth + rounding.depth;
-    return leaves ? rounding.depth - depth : -signed_depth;
+    if (std::abs(depth) > depth_rounding) return touches ? depth : -depth;
+    const bool leaves = rate < -rate_rounding();
+    if (touches != leaves) return depth_rounding;
+    return depth == 0 ? -kTiny : (touches ? depth : -depth);
   }
 
   /// Below zero where it begins, or ceases, to push; nothing to guard where it does not touch.

@@ -32,7 +32,10 @@ class Patch {
 
   /// The same feature, in a principal frame that has moved in the body. The lever of rolling
   /// friction stays.
-  void setFeature(const Feature& feature) { feature_ = feature; }
+  void setFeature(const Feature& feature) {
+    feature_ = feature;
+    reach_ = feature.reach();
+  }
 
   /// Modes. Bit j: point j touches; 4 + j: it would pull; then: the bristles slip.
   enum Mode : unsigned { kTouches = 1, kClips = 16, kSlips = 256, kSpins = 512, kRolls = 1024 };
@@ -50,6 +53,13 @@ class Patch {
     double height_low;
 
     Pose(const Body& on, const BodyState& at, const Plane& against);
+
+    /// [m] Of a point at a height from the centre of mass. The large parts first: near a touch they
+    /// cancel, and the small one keeps its digits.
+    double depthAt(double point_height) const { return -(height + point_height) - height_low; }
+
+    /// [m] Of the terms that the height of the centre of mass is a sum of.
+    double size() const { return n_W.cwiseAbs().dot((state.x_W - o_W).cwiseAbs()); }
   };
 
   /// All that forces, rates and guards follow from.
@@ -96,13 +106,14 @@ class Patch {
   void addWrenchOf(const Pose& pose, const Now& now, const double* own, Wrench& wrench) const;
   void setRatesOf(const Now& now, const double* own, double* rates) const;
   bool holdsSpin(const Now& now, const double* own, const Stray& stray, double loss) const;
-  DepthRounding rounding(const Pose& pose) const;
+  bool setGuardsApart(const Pose& pose, double depth_rounding, double* guards) const;
   void placeFriction(const Pose& pose, Now& now) const;
   bool spins() const { return bristle_.exists() && feature_.kind == Feature::Kind::kRim; }
 
   Feature feature_;
   ContactParameters c_;
   double mass_, lever_;
+  double reach_;  // [m] of the feature
   Bristle bristle_, spinning_, rolling_;
 };
 

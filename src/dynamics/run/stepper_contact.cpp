@@ -100,6 +100,7 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
   const std::int64_t evaluated = evaluations();
   const auto bodies = static_cast<double>(system.bodies.size());
   double done = 0, next = h;
+  bool goes_on = false;
   constexpr int kMaxSubsteps = 1000000;
   // what laws bring about at any state lasts over the whole step: that is known beforehand
   if (!(h * law_rate_ <= kMaxSubsteps * choice_.method->max_turn))
@@ -115,7 +116,8 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     scratch_.step_bound = workspace_.step_bound;
     const MotionPiece piece(system, *choice_.method, start, 0, step, scratch_);
     const CubicBetween cubic(start, states, workspace_, step);
-    const double length = events_.firstEvent(piece, start, states, &cubic);
+    const double length = events_.firstEvent(piece, start, states, &cubic, goes_on);
+    goes_on = !events_.found();
     visit(system, t + done, length, start, meter);
     done = length == left ? h : done + length;
     bool stops = done < h && isBeyond(states);
