@@ -106,8 +106,10 @@ class Stepper {
   bool advanceInContact(const System& system, double t, double h, SystemState& states,
                         Meter& meter);
   StepBound contactBound() const;
-  double longestStep(const System& system, double h, const SystemState& states) const;
-  double takeEstimatedStep(const System& system, double h, SystemState& states, double& next);
+  double stableStep(const System& system, double h, const SystemState& states) const;
+  double smoothStep(const System& system, const SystemState& states) const;
+  double takeEstimatedStep(const System& system, double h, double stable, SystemState& states,
+                           double& next);
   bool isBeyond(const SystemState& states) const;
   bool switchContacts(const System& system, double t, SystemState& states, double& energy);
   template <class Meter>
