@@ -122,6 +122,9 @@ TEST(SceneBuoyancy, NeedsVolumeDensityAndUniformGravity) {
             "s.yaml:8: body 'box': missing key 'buoyancy.volume'");
   EXPECT_EQ(errorOf(inMedium(kBoxOfWater + "buoyancy: {volume: -1}")),
             "s.yaml:8: body 'box': buoyancy.volume must be > 0 m^3, got -1");
+  EXPECT_EQ(errorOf(inMedium(kBoxOfWater + "buoyancy: {volume: 1.0e+307}")),
+            "s.yaml:5: body 'box': law 'buoyancy': the mass displaced must be >= 0 kg and finite, "
+            "got inf");
   EXPECT_EQ(
       errorOf(inMedium(kBoxOfWater + "buoyancy: 3")),
       "s.yaml:8: body 'box': buoyancy must be true, false or {volume: .., center: [x, y, z]}, "

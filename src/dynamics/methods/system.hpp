@@ -61,8 +61,8 @@ struct SystemState {
   std::vector<double> laws;
 };
 
-/// What an integrator that estimates the error of its step lets the estimate reach before the step
-/// is divided. As it stands, beyond it an estimate means that the step cannot be followed.
+/// Largest error estimate of a step before the step is divided into substeps; by default, beyond it
+/// the step cannot be followed.
 struct StepBound {
   double error = 1e-4;  ///< [rad] of attitudes; of momenta relative to their size and change
   double idle = 1e-9;  ///< errors of momenta do not count that turn a body by less [rad] within the

@@ -16,10 +16,10 @@ constexpr double kLeastContactBound = 1e-14;
 
 /// Evaluations of all forces on a body that a time step may take in contact: a thousand times what
 /// stiff contact takes, and minutes at most.
-constexpr double kMostContactWork = 3e8;
-inline double mostContactWork(double time_step) {
+constexpr double kMaxContactWork = 3e8;
+inline double maxContactWork(double time_step) {
   constexpr double kPerSecond = 1e9, kLeast = 1e7;
-  return std::clamp(kPerSecond * time_step, kLeast, kMostContactWork);
+  return std::clamp(kPerSecond * time_step, kLeast, kMaxContactWork);
 }
 
 /// What is said of a step that would take more.

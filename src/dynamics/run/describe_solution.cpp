@@ -178,9 +178,9 @@ double magnificationOf(const Body& body, const BodyState& start, double duration
 /// What the free rotation of a body that is solved has magnified since its anchor, where that is
 /// much: no digit is lost on the way, but those of its start are spread out.
 std::string magnificationOfSolved(const Simulation& simulation) {
-  constexpr std::size_t kMost = 100;  // bodies: the node asks once a second
+  constexpr std::size_t kMax = 100;  // bodies: the node asks once a second
   const World& world = simulation.world();
-  if (world.bodies.size() > kMost) return "";
+  if (world.bodies.size() > kMax) return "";
   const State state = simulation.state();
   const auto wrenches = wrenchesByBody(world, state);
   const std::set<std::size_t> in_medium = bodiesInMedium(world);

@@ -25,7 +25,7 @@ MethodPlanner::MethodPlanner(const World& world)
     : method_(world.solver.integrator == "auto" ? nullptr : &methodNamed(world.solver.integrator)),
       solves_media_(!actsInPlaces(world)),
       contact_bound_(contactStepBound(world.solver.tolerance)),
-      contact_work_(mostContactWork(world.solver.time_step)) {}
+      contact_work_(maxContactWork(world.solver.time_step)) {}
 
 void MethodPlanner::loosen(bool twice_the_step) {
   if (twice_the_step) max_turn_share_ *= 2;

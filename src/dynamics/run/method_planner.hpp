@@ -25,7 +25,7 @@ class MethodPlanner {
   double contactBound() const { return contact_bound_; }
   void setContactBound(double bound) { contact_bound_ = bound; }
 
-  /// See mostContactWork.
+  /// See maxContactWork.
   double contactWork() const { return contact_work_; }
   void setContactWork(double work) { contact_work_ = work; }
 

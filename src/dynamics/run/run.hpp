@@ -32,7 +32,7 @@ class Run {
   /// Begins anew at the start, with steps in contact bounded so.
   void boundContact(const ContactTrial& trial);
 
-  /// Lets a time step take no more work in contact than this; see mostContactWork.
+  /// Lets a time step take no more work in contact than this; see maxContactWork.
   void limitContactWork(double work);
 
   /// That trial; after load(), the bound of the state that was loaded.

@@ -32,11 +32,11 @@ bool isModest(const MediumLoad& load) {
 }
 
 bool isModest(const HeldWrench& wrench) {
-  const auto lever = [](const HeldWrench::BodyPointForce& l) {
-    return isModest(l.arm_P) && isModest(l.force_W);
+  const auto isModestOnBody = [](const HeldWrench::BodyPointForce& applied) {
+    return isModest(applied.arm_P) && isModest(applied.force_W);
   };
-  const auto pull = [](const HeldWrench::WorldPointForce& p) {
-    return isModest(p.point_W) && isModest(p.force_W);
+  const auto isModestInWorld = [](const HeldWrench::WorldPointForce& applied) {
+    return isModest(applied.point_W) && isModest(applied.force_W);
   };
   const auto isModestDrive = [](const ActuatorDrive& drive) {
     return drive.forceBound() < kModest && drive.torqueBound() < kModest && isModest(drive.H_0);
@@ -44,8 +44,10 @@ bool isModest(const HeldWrench& wrench) {
   return (!wrench.drive || isModestDrive(*wrench.drive)) &&
          (!wrench.medium || isModest(*wrench.medium)) && isModest(wrench.f_W) &&
          isModest(wrench.tau_W) && isModest(wrench.f_P) && isModest(wrench.tau_P) &&
-         std::all_of(wrench.body_point_forces.begin(), wrench.body_point_forces.end(), lever) &&
-         std::all_of(wrench.world_point_forces.begin(), wrench.world_point_forces.end(), pull);
+         std::all_of(wrench.body_point_forces.begin(), wrench.body_point_forces.end(),
+                     isModestOnBody) &&
+         std::all_of(wrench.world_point_forces.begin(), wrench.world_point_forces.end(),
+                     isModestInWorld);
 }
 
 }  // namespace

@@ -200,11 +200,11 @@ wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}
 TEST(Node, SaysThatItWaitsForAClockThatNobodySends) {
   ros::NodeHandle nh;
   bool told = false;
-  const boost::function<void(const rosgraph_msgs::Log&)> hear =
+  const boost::function<void(const rosgraph_msgs::Log&)> receive =
       [&](const rosgraph_msgs::Log& message) {
         told = told || message.msg.find("waiting for /clock") == 0;
       };
-  const ros::Subscriber log = nh.subscribe<rosgraph_msgs::Log>("/rosout", 100, hear);
+  const ros::Subscriber log = nh.subscribe<rosgraph_msgs::Log>("/rosout", 100, receive);
   ros::param::set("/use_sim_time", true);
   const pid_t child = startNode(freshName());
   EXPECT_TRUE(NodeDriver::waitFor([&] { return told; }));
