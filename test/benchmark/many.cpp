@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -10,8 +12,9 @@
 
 // Many bodies that do not interact, under gravity, at a step of 1 ms: millions of steps of one body
 // in a second of processor time. All bodies are read at every step, or at every tenth as by a node
-// that publishes at 100 Hz. A number as argument: so many bodies more, which are read at every
-// hundredth step.
+// that publishes at 100 Hz. A number as argument: so many bodies, which are read at every hundredth
+// step. A second number: by up to so many threads, read at every tenth step, and in a second of the
+// clock, the best of five.
 
 namespace rigid_body_sim {
 namespace {
@@ -55,8 +58,7 @@ double millionsPerSecond(const Setting& setting, std::size_t count, int steps, d
       start,
       [&](Simulation& simulation) {
         for (int i = 0; i < steps; i += setting.read_each) {
-          simulation.step(setting.read_each);
-          simulation.readBodies(states);
+          simulation.step(setting.read_each, states);
         }
       },
       budget);
@@ -89,13 +91,43 @@ void printRow(std::size_t count) {
                 millionsPerSecond({integrator, Load::kNone, 100}, count, 200, 0));
 }
 
+double byThreads(const char* integrator, std::size_t count, int threads) {
+  test::Bench bench = manyBodies(count, Load::kNone);
+  bench.world.solver.threads = threads;
+  Simulation simulation = bench.simulation(integrator, 1e-3);
+  std::vector<BodyState> states;
+  simulation.step();
+  constexpr int kSteps = 100;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 5; ++k) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < kSteps; i += 10) {
+      simulation.step(10, states);
+    }
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+    least = std::min(least, wall.count());
+  }
+  return 1e-6 * kSteps * static_cast<double>(count) / least;
+}
+
+void printThreads(std::size_t count, int most) {
+  std::printf("%zu bodies, read at every 10th step, by threads\n%-22s", count, "integrator");
+  for (int threads = 1; threads <= most; ++threads) std::printf(" %9d", threads);
+  std::printf("\n");
+  for (const char* integrator : {"auto", "semi_implicit_euler", "strang", "magnus4", "rk4"}) {
+    std::printf("%-22s", integrator);
+    for (int threads = 1; threads <= most; ++threads)
+      std::printf(" %9.3g", byThreads(integrator, count, threads));
+    std::printf("\n");
+  }
+}
+
 }  // namespace
 }  // namespace rigid_body_sim
 
 int main(int argc, char** argv) {
-  if (argc > 1) {
-    rigid_body_sim::printRow(static_cast<std::size_t>(std::atoll(argv[1])));
-    return 0;
-  }
-  rigid_body_sim::printTable();
+  if (argc == 1) return rigid_body_sim::printTable(), 0;
+  const auto bodies = static_cast<std::size_t>(std::atoll(argv[1]));
+  if (argc == 2) return rigid_body_sim::printRow(bodies), 0;
+  rigid_body_sim::printThreads(bodies, std::atoi(argv[2]));
 }

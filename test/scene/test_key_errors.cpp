@@ -15,7 +15,7 @@ TEST(SceneKeys, MustBeKnown) {
   EXPECT_EQ(errorOf("timestep: 1\n"),
             "s.yaml:1: unknown key 'timestep' (known: world_frame, gravity, medium, time_step, "
             "integrator, "
-            "tolerance, horizon, bodies, forces, wrenches, commands)");
+            "tolerance, horizon, threads, bodies, forces, wrenches, commands)");
   EXPECT_EQ(
       boxError("    mas: 1\n"),
       kAtBox +
@@ -100,6 +100,14 @@ TEST(SceneKeys, TakeNoMoreStepsThanADoubleCounts) {
             "1e-320");
   EXPECT_EQ(errorOf("time_step: 1\nhorizon: 9007199254740992\n" + rest), "");
   EXPECT_NE(errorOf("time_step: 1\nhorizon: 9007199254740994\n" + rest), "");
+}
+
+TEST(SceneKeys, TakeAsManyThreadsAsAreWhole) {
+  EXPECT_EQ(errorOf("threads: 1024\n" + boxScene()), "");
+  for (const char* threads : {"0", "-1", "1.5", "1025", "many"})
+    EXPECT_EQ(
+        errorOf("threads: " + std::string(threads) + "\n" + boxScene()),
+        "s.yaml:1: threads must be a whole number from 1 to 1024, got " + std::string(threads));
 }
 
 TEST(SceneKeys, NameAnIntegratorOfTheCatalogue) {

@@ -85,6 +85,15 @@ TEST_F(SimulateStates, CutAtAnyStepEndWithTheBitsOfTheRunInOne) {
   }
 }
 
+TEST_F(SimulateStates, GoOnWithAnotherNumberOfThreads) {
+  ASSERT_EQ(simulate("--duration 0.1 --save " + directory.path("cut")).exit_code, 0);
+  scene = directory.written("threads.yaml", std::string("threads: 3") + kCutScene);
+  const test::Outcome rest = simulate("--load " + directory.path("cut") + " --duration 0.1");
+  EXPECT_EQ(rest.exit_code, 0) << rest.out;
+  EXPECT_EQ(simulate("--threads 0").out.substr(0, 48),
+            "simulate: --threads: must be a whole number from");
+}
+
 TEST_F(SimulateStates, GoOnAtTheTimesOfTheRunInOne) {
   const std::string sampled = " --sample 0.05 --csv ";
   ASSERT_EQ(simulate("--duration 0.32" + sampled + directory.path("whole.csv")).exit_code, 0);

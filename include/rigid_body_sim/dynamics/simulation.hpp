@@ -108,6 +108,10 @@ class Simulation {
   /// SimulationDiverged after those steps that could be taken.
   void step(std::int64_t count);
 
+  /// The same, and readBodies: bodies that are stepped several at a time are read while they are in
+  /// the processor's cache. After SimulationDiverged `states` may be anything.
+  void step(std::int64_t count, std::vector<BodyState>& states);
+
   /// Takes an input over, now. Throws std::invalid_argument, and leaves all as it was, for one that
   /// breaks a rule: an unknown or fixed body, numbers that are not finite, a wrench that the
   /// integrator does not support or one more than may be.

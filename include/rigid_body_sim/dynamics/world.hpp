@@ -11,6 +11,8 @@ namespace rigid_body_sim {
 
 /// How the motion is to be computed.
 struct SolverOptions {
+  static constexpr int kMaxThreads = 1024;
+
   std::string integrator = "auto";  ///< a name of the catalogue
   double time_step = 1e-3;          ///< [s] > 0
   double tolerance = 1e-9;          ///< with auto: bound on the attitude error [rad] and on the
@@ -18,6 +20,8 @@ struct SolverOptions {
   double horizon = 10;              ///< [s]
   bool tolerance_stated = false;    ///< with auto: whether motions that can be solved need no more
                                     ///< than the tolerance; else they are solved to rounding
+  int threads = 1;  ///< at most so many step and read bodies in packs; the same bits
+                    ///< for any number
 };
 
 /// What of a world depends on the mass properties of its bodies.

@@ -237,7 +237,8 @@ struct Scene {
   double tolerance = 1e-9;        ///< with auto; see SolverOptions
   bool tolerance_stated = false;  ///< whether the scene names it
   double horizon = 10;            ///< [s] also how long `simulate` runs
-  std::string fingerprint;        ///< of all that the file says; see World::fingerprint
+  int threads = 1;                ///< see SolverOptions
+  std::string fingerprint;        ///< of all that the file says but threads; see World
   std::vector<BodyDef> bodies;
   std::vector<ForceDef> forces;
   std::vector<WrenchDef> wrenches;

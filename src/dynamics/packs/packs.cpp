@@ -5,10 +5,17 @@
 #include <utility>
 
 #include "dynamics/packs/block_lane.hpp"
+#include "dynamics/packs/in_parts.hpp"
 
 namespace rigid_body_sim {
 
 namespace {
+
+/// Bodies that are read after they have been stepped, before the next.
+constexpr std::size_t kReadAtOnce = 64;
+
+/// What takes a thread some 200 us: steps of one body, and states copied.
+constexpr std::size_t kLeastSteps = 16384, kLeastCopies = 16384;
 
 /// Whether a step begins with the wrenches that the one before evaluated at its end.
 bool leavesWrenchesCurrent(PackKind kind) {
@@ -125,11 +132,19 @@ BodyState Packs::state(std::size_t body) const {
                 place.lane % PackBlock::kLanes);
 }
 
+void Packs::copyLanes(const Shelf& shelf, std::size_t first, std::size_t end,
+                      std::vector<BodyState>& states) {
+  for (std::size_t i = first; i < end; ++i)
+    copyBody(shelf.blocks[i / PackBlock::kLanes], i % PackBlock::kLanes,
+             states[shelf.lanes[i].body]);
+}
+
 void Packs::copyTo(std::vector<BodyState>& states) const {
-  for (const Shelf& shelf : shelves_)
-    for (std::size_t i = 0; i < shelf.lanes.size(); ++i)
-      copyBody(shelf.blocks[i / PackBlock::kLanes], i % PackBlock::kLanes,
-               states[shelf.lanes[i].body]);
+  for (const Shelf& shelf : shelves_) {
+    const std::size_t bodies = shelf.lanes.size();
+    inParts(bodies, PackBlock::kLanes, worthwhileThreads(threads_, bodies, kLeastCopies),
+            [&](std::size_t first, std::size_t end) { copyLanes(shelf, first, end, states); });
+  }
 }
 
 /// Where they are evaluated once for a step that follows, at its end, the first step evaluates them
@@ -160,7 +175,7 @@ void Packs::addNoTorque(const Place& place) {
     block.columns[kWorldSpinColumn + i][place.lane % PackBlock::kLanes] += 0.0;
 }
 
-void Packs::advance(std::int64_t steps, std::int64_t count) {
+void Packs::advance(std::int64_t steps, std::int64_t count, std::vector<BodyState>* read) {
   for (std::size_t body : new_)
     if (holds(body)) addNoTorque(places_[body]);
   new_.clear();
@@ -170,8 +185,18 @@ void Packs::advance(std::int64_t steps, std::int64_t count) {
                  static_cast<double>(steps + k) * time_step_;
   for (Shelf& shelf : shelves_) {
     const std::size_t bodies = shelf.lanes.size();
-    packKernelsFor(bodies).step(shelf.kind, shelf.load)(
-        lengths, static_cast<int>(count), shelf.blocks.data(), shelf.pushes.data(), bodies);
+    const PackStep step = packKernelsFor(bodies).step(shelf.kind, shelf.load);
+    const auto stepPart = [&](std::size_t begin, std::size_t end) {
+      const std::size_t at_once = read ? kReadAtOnce : end - begin;
+      for (std::size_t first = begin; first < end; first += at_once) {
+        const std::size_t block = first / PackBlock::kLanes, to = std::min(end, first + at_once);
+        step(lengths, static_cast<int>(count), shelf.blocks.data() + block,
+             shelf.pushes.empty() ? nullptr : shelf.pushes.data() + block, to - first);
+        if (read) copyLanes(shelf, first, to, *read);
+      }
+    };
+    const std::size_t work = bodies * static_cast<std::size_t>(count);
+    inParts(bodies, PackBlock::kLanes, worthwhileThreads(threads_, work, kLeastSteps), stepPart);
   }
   certain_steps_ -= count;
 }

@@ -46,9 +46,9 @@ class Packs {
 
   Packs() = default;
 
-  /// None of so many bodies are here; time_step [s].
-  Packs(std::size_t bodies, double time_step)
-      : time_step_(time_step), places_(bodies), is_used_(true) {}
+  /// None of so many bodies are here; time_step [s]; stepped by so many threads at most.
+  Packs(std::size_t bodies, double time_step, int threads)
+      : time_step_(time_step), threads_(threads), places_(bodies), is_used_(true) {}
 
   /// False where no body can be here, as the world's integrator or laws do not allow it.
   bool isUsed() const { return is_used_; }
@@ -83,11 +83,13 @@ class Packs {
 
   BodyState state(std::size_t body) const;
 
-  /// Writes the states of all bodies here among those of all bodies.
+  /// Writes the states of the bodies here among those of all bodies, by as many threads.
   void copyTo(std::vector<BodyState>& states) const;
 
   /// After so many steps of the run takes `count` more, at most certainSteps(), with all bodies.
-  void advance(std::int64_t steps, std::int64_t count);
+  /// read: where their states are then copied to, among those of all bodies, while they are in the
+  /// nearest cache; or null.
+  void advance(std::int64_t steps, std::int64_t count, std::vector<BodyState>* read);
   std::int64_t certainSteps() const { return certain_steps_; }
 
   /// To be called when no more steps are certain: returns the bodies of which none is, to be
@@ -127,12 +129,15 @@ class Packs {
     std::vector<Lane> lanes;
   };
 
+  static void copyLanes(const Shelf& shelf, std::size_t first, std::size_t end,
+                        std::vector<BodyState>& states);
   void addNoTorque(const Place& place);
   void putLast(std::size_t lane, Shelf& shelf);
   Shelf& shelfOf(PackKind kind, PackLoad load, const Method& method, std::uint32_t& index);
   static std::int64_t evaluationsOf(const Shelf& shelf, const Lane& lane, std::int64_t steps);
 
   double time_step_ = 0;
+  int threads_ = 1;
   std::vector<Shelf> shelves_;
   std::vector<Place> places_;  // body by body
   std::vector<std::size_t> offered_;

@@ -14,11 +14,12 @@ BodyState flownFreely(const Body& body, const BodyState& start, double dt) {
   return state;
 }
 
-FreeFlight::FreeFlight(const Body& body, const Vector3d& f_W, const BodyState& start)
+FreeFlight::FreeFlight(const Body& body, const Vector3d& f_W, const BodyState& start,
+                       bool read_once)
     : start_(start),
       f_W_(f_W),
       mass_(body.mass),
-      rotation_(FreeTop<double>(body.I).from(start.q_WP, start.L_P, start.L_W)) {}
+      rotation_(FreeTop<double>(body.I).from(start.q_WP, start.L_P, start.L_W, read_once)) {}
 
 BodyState FreeFlight::at(double dt) const {
   BodyState state = start_;

@@ -15,8 +15,8 @@ BodyState flownFreely(const Body& body, const BodyState& start, double dt);
 ///   x = x₀ + (p₀/m) t + (f/m) t²/2,   p = p₀ + f t,   L = L₀
 class FreeFlight {
  public:
-  /// f_W [N]: gravity included. start.q_WP must be a unit quaternion.
-  FreeFlight(const Body& body, const Vector3d& f_W, const BodyState& start);
+  /// f_W [N]: gravity included. start.q_WP must be a unit quaternion. read_once: see FreeTop::from.
+  FreeFlight(const Body& body, const Vector3d& f_W, const BodyState& start, bool read_once = false);
 
   const BodyState& start() const { return start_; }
   const Vector3d& force() const { return f_W_; }  ///< [N]

@@ -75,11 +75,11 @@ auto FreeTop<T>::solve(const Quaternion<T>& q_WP, const Vector3<T>& L_P, const V
 
 template <class T>
 FreeRotation<T> FreeTop<T>::from(const Quaternion<T>& q_WP, const Vector3<T>& L_P,
-                                 const Vector3<T>& L_W) const {
+                                 const Vector3<T>& L_W, bool read_once) const {
   const auto use = [](const auto& motion) { return FreeRotation<T>(motion); };
-  const auto usePath = [&q_WP](const AsymmetricPath<T>& path, const FreeInvariants<T>& invariants) {
+  const auto usePath = [&](const AsymmetricPath<T>& path, const FreeInvariants<T>& invariants) {
     if constexpr (std::is_same_v<T, double>)
-      if (const auto theta = ThetaRotation::of(path, invariants, q_WP))
+      if (const auto theta = read_once ? std::nullopt : ThetaRotation::of(path, invariants, q_WP))
         return FreeRotation<T>(*theta);
     return FreeRotation<T>(Boxed<AsymmetricRotation<T>>(std::in_place, path, invariants, q_WP));
   };

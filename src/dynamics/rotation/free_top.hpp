@@ -69,9 +69,10 @@ class FreeTop {
   InertiaKind kind() const { return kind_; }
 
   /// The motion of the body that at dt = 0 has attitude q_WP (unit) and angular momentum
-  /// [kg m²/s] L_P in principal axes, L_W = R(q_WP) L_P in world axes.
-  FreeRotation<T> from(const Quaternion<T>& q_WP, const Vector3<T>& L_P,
-                       const Vector3<T>& L_W) const;
+  /// [kg m²/s] L_P in principal axes, L_W = R(q_WP) L_P in world axes. read_once: as a motion the
+  /// constants of which take little to find, but each time of it more.
+  FreeRotation<T> from(const Quaternion<T>& q_WP, const Vector3<T>& L_P, const Vector3<T>& L_W,
+                       bool read_once = false) const;
 
   /// The same at one time dt [s] after, to rounding: for one evaluation `from` does too much.
   RotationState<T> after(T dt, const Quaternion<T>& q_WP, const Vector3<T>& L_P,

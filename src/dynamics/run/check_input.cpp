@@ -19,6 +19,8 @@ void checkSolver(const SolverOptions& solver) {
   require(isPositive(solver.time_step), "time_step must be > 0 s", Got{solver.time_step});
   require(isPositive(solver.tolerance), "tolerance must be > 0", Got{solver.tolerance});
   require(isPositive(solver.horizon), "horizon must be > 0 s", Got{solver.horizon});
+  require(solver.threads >= 1 && solver.threads <= SolverOptions::kMaxThreads,
+          "threads must be 1 to 1024", Got{static_cast<double>(solver.threads)});
 }
 
 /// Those that go by the velocity or the acceleration of the centre of mass.

@@ -161,7 +161,7 @@ class Group {
   void gatherWrenches(const std::vector<WrenchSchedule>& schedules);
   double nextEvent(const std::vector<WrenchSchedule>& schedules) const;
   SolvedProblem problem() const {
-    return {*system_.bodies[0], system_.held[0], system_.g_W, bound_};
+    return {*system_.bodies[0], system_.held[0], system_.g_W, bound_, solved_choice_.read_once};
   }
   template <class Meter>
   void advanceMetered(double t, double t_end, std::vector<WrenchSchedule>& schedules, Meter& meter);

@@ -49,7 +49,7 @@ class Run {
   void step() { advance(nullptr); }
 
   /// So many steps. Throws SimulationDiverged after those that could be taken.
-  void step(std::int64_t count);
+  void step(std::int64_t count, std::vector<BodyState>* states = nullptr);
 
   /// Goes on to a time t within the step that comes next; step() ends it. Not for a run of which
   /// events or inputs count.
@@ -119,11 +119,13 @@ class Run {
   std::int64_t packedSteps(std::int64_t at_most) const;
   void restartGroup(std::size_t body);
   Run goneOnTo(double t) const;
+  void readGroups(std::size_t first, std::size_t end, std::vector<BodyState>& states) const;
   std::vector<BodySchedule> scheduleEntries() const;
 
   ContactTrial contact_trial_;
   RunState now_;
   Grouping grouping_;
+  MethodPlanner::Trials start_trials_;  // while the world is not that of the start
   RunMotors motors_;
   RunContacts contacts_;
   StepRecord step_;

@@ -55,7 +55,8 @@ void RunState::beginPacks() {
   const std::string& integrator = world->solver.integrator;
   const bool is_fit = integrator != "auto" && hasPackSteps(methodNamed(integrator)) &&
                       std::all_of(world->laws.begin(), world->laws.end(), asDrag);
-  packs = is_fit ? Packs(world->bodies.size(), world->solver.time_step) : Packs();
+  packs = is_fit ? Packs(world->bodies.size(), world->solver.time_step, world->solver.threads)
+                 : Packs();
   offerAll();
 }
 
@@ -98,8 +99,8 @@ void RunState::unpackEvents(double t_end) {
   for (std::size_t body : packs.withEventBy(t_end)) unpack(body);
 }
 
-void RunState::stepPacks(std::int64_t count) {
-  packs.advance(steps - count, count);
+void RunState::stepPacks(std::int64_t count, std::vector<BodyState>* read) {
+  packs.advance(steps - count, count, read);
   if (packs.certainSteps() > 0) return;
   for (std::size_t body : packs.review()) unpack(body);
 }
@@ -125,33 +126,41 @@ void Run::preparePacks(double t_end, bool metered) {
   now_.unpackEvents(t_end);
 }
 
-/// How many steps may be taken with all bodies in packs and nothing to happen to any of them; one
-/// at least, which may be any step.
+/// How many steps may be taken with all bodies in packs and nothing to happen to any of them.
 std::int64_t Run::packedSteps(std::int64_t at_most) const {
   const bool all_packed =
       now_.packs.size() > 0 && now_.packs.size() == now_.groups.size() && !now_.packs.hasOffers();
-  if (!all_packed) return 1;
+  if (!all_packed) return 0;
   std::int64_t count = std::min(at_most, now_.packs.certainSteps());
   const auto isQuiet = [this](std::int64_t steps) {
     const double t_end = static_cast<double>(now_.steps + steps) * now_.world->solver.time_step;
     return now_.packs.nextEvent() > t_end && !grouping_.mayChangeBy(t_end);
   };
-  while (count > 1 && !isQuiet(count)) count /= 2;
+  while (count > 0 && !isQuiet(count)) count /= 2;
   return count;
 }
 
-void Run::step(std::int64_t count) {
+/// The last of these steps and the reading of packs are one.
+void Run::step(std::int64_t count, std::vector<BodyState>* states) {
+  bool is_read = false;
+  if (states) states->resize(now_.world->bodies.size());
   while (count > 0) {
     const std::int64_t steps = packedSteps(count);
-    if (steps == 1) {
+    if (steps == 0) {
       advance(nullptr);
     } else {
+      is_read = states && steps == count;
       now_.steps += steps;
       now_.time = static_cast<double>(now_.steps) * now_.world->solver.time_step;
-      now_.stepPacks(steps);
+      now_.stepPacks(steps, is_read ? states : nullptr);
     }
-    count -= steps;
+    count -= std::max<std::int64_t>(1, steps);
   }
+  if (!states) return;
+  if (!is_read) return readBodies(*states);
+  // all others are fixed or absent
+  for (std::size_t i = 0; now_.groups.size() < states->size() && i < states->size(); ++i)
+    if (!now_.groups.has(i)) (*states)[i] = now_.start->bodies[i];
 }
 
 }  // namespace rigid_body_sim

@@ -2,6 +2,7 @@
 #include <set>
 #include <utility>
 
+#include "dynamics/packs/in_parts.hpp"
 #include "dynamics/run/linking_step.hpp"
 #include "dynamics/run/run.hpp"
 
@@ -27,10 +28,18 @@ void Run::readBodies(std::vector<BodyState>& states) const {
   states.resize(now_.world->bodies.size());
   now_.packs.copyTo(states);
   if (now_.packs.size() == states.size()) return;
+  constexpr std::size_t kLeastReads = 4096;  // bodies, by one thread: some 200 us
+  inParts(states.size(), 1,
+          worthwhileThreads(now_.world->solver.threads, states.size(), kLeastReads),
+          [&](std::size_t first, std::size_t end) { readGroups(first, end, states); });
+}
+
+/// Of the bodies [first, end) those that are in no pack.
+void Run::readGroups(std::size_t first, std::size_t end, std::vector<BodyState>& states) const {
   FlightBatch batch;
   constexpr std::size_t kAhead = 8;  // bodies
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const std::size_t ahead = std::min(i + kAhead, states.size() - 1);
+  for (std::size_t i = first; i < end; ++i) {
+    const std::size_t ahead = std::min(i + kAhead, end - 1);
     if (now_.groups.has(ahead)) now_.groups.of(ahead).announceRead();
     if (now_.packs.holds(i)) continue;
     if (!now_.groups.has(i))

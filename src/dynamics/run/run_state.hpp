@@ -43,8 +43,8 @@ struct RunState {
   void unpackAll();
   void unpackEvents(double t_end);
 
-  /// Takes steps with the packs, the last of which has led to the present.
-  void stepPacks(std::int64_t count);
+  /// Takes steps with the packs, the last of which has led to the present. read: see Packs.
+  void stepPacks(std::int64_t count, std::vector<BodyState>* read = nullptr);
 
   /// Whether a law acts, as its own states tell.
   bool acts(std::size_t law) const {

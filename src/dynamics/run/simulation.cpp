@@ -94,6 +94,12 @@ void Simulation::step(std::int64_t count) {
   for (std::int64_t k = 0; k < count; ++k) step();
 }
 
+void Simulation::step(std::int64_t count, std::vector<BodyState>& states) {
+  if (!parts_->balance && !parts_->error) return parts_->run.step(count, &states);
+  step(count);
+  readBodies(states);
+}
+
 void Simulation::apply(const SimulationInput& input) {
   if (const auto* wrench = std::get_if<WrenchInput>(&input)) {
     applyWrench(wrench->slot, wrench->wrench);

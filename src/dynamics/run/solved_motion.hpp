@@ -19,6 +19,9 @@ struct SolvedProblem {
   const HeldWrench& wrench;
   const Vector3d& g_W;  ///< [m/s²]
   ErrorBound bound;     ///< none: to rounding
+  /// Whether each piece of it is asked for one time only: then a free flight is solved in a way
+  /// that is found in less time than it takes to evaluate; the same to rounding.
+  bool read_once = false;
 };
 
 /// The motion of one body, solved from an anchor on: in closed form where there is no torque, or

@@ -32,11 +32,12 @@ std::vector<BodyState> solvedAfter(const World& world, const State& start, doubl
   for (const PointWrench& wrench : world.wrenches)
     run.schedules[wrench.body].put("", onSteps(wrench, duration), 0);
   std::vector<BodyState> bodies = start.bodies;
+  MethodChoice choice;
+  choice.read_once = true;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!moves(world.bodies[i])) continue;
     run.schedules[i].advanceTo(0);
-    Group group(world, run.laws, {{i}, {}, {}}, MethodChoice(), 0, {start.bodies[i]}, {},
-                run.schedules);
+    Group group(world, run.laws, {{i}, {}, {}}, choice, 0, {start.bodies[i]}, {}, run.schedules);
     run.advance(group, duration, run.schedules, nullptr);
     bodies[i] = group.advanced().bodies.front();
   }

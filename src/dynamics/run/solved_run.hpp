@@ -9,7 +9,7 @@ namespace rigid_body_sim {
 bool isSolvedThroughout(const World& world);
 
 /// The bodies of such a world a duration [s] > 0 after its start: what a Simulation with a time
-/// step as long has after that step, bit by bit and with the same exceptions, for a third of what
+/// step as long has after that step, to rounding and with the same exceptions, for a third of what
 /// setting one up costs. start.t must be 0, and nothing else than bodies be there.
 std::vector<BodyState> solvedAfter(const World& world, const State& start, double duration);
 

@@ -74,8 +74,8 @@ World buildWorld(const Scene& scene) {
   world.laws = lawsOf(scene, world.bodies);
   world.gravity_centers = gravityCentersOf(scene);
   world.imus = imusOf(scene);
-  world.solver = {scene.integrator, scene.time_step, scene.tolerance, scene.horizon,
-                  scene.tolerance_stated};
+  world.solver = {scene.integrator, scene.time_step,        scene.tolerance,
+                  scene.horizon,    scene.tolerance_stated, scene.threads};
   world.fingerprint = scene.fingerprint;
   checkIntegrator(scene, world);
   return world;

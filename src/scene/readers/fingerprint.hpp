@@ -6,8 +6,9 @@
 
 namespace rigid_body_sim {
 
-/// 16 hexadecimal digits that differ where the keys, values or structure of two documents do, as
-/// good as certainly; comments, quotes and layout do not count. FNV-1a, 64 bits.
+/// 16 hexadecimal digits that differ where the keys, values or structure of two scenes do, as good
+/// as certainly; comments, quotes, layout and `threads`, which changes no bit, do not count.
+/// FNV-1a, 64 bits.
 std::string fingerprintOf(const YamlNode& root);
 
 }  // namespace rigid_body_sim

@@ -122,6 +122,10 @@ Scene readScene(const YamlNode& tree, ReadContext& context) {
          s.tolerance_stated = true;
        }},
       {"horizon", [](const Entry& e, Scene& s) { s.horizon = readPositive(e, "s"); }},
+      {"threads",
+       [](const Entry& e, Scene& s) {
+         s.threads = static_cast<int>(readWhole(e, 1, SolverOptions::kMaxThreads));
+       }},
       {"bodies", [](const Entry& e, Scene& s) { s.bodies = readBodies(e); }, true},
       {"forces", [](const Entry& e, Scene& s) { s.forces = readForces(e); }},
       {"wrenches", [](const Entry& e, Scene& s) { s.wrenches = readWrenches(e); }},

@@ -40,6 +40,7 @@ Scene sceneOf(const SimulateOptions& options) {
   Scene scene = loadToolScene(options.scene);
   scene.time_step = options.time_step.value_or(scene.time_step);
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
+  scene.threads = options.threads.value_or(scene.threads);
   scene.tolerance_stated |= options.tolerance.has_value();
   if (options.integrator) {
     scene.integrator = *options.integrator;

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include <rigid_body_sim/dynamics/world.hpp>
+
 #include "dynamics/methods/catalogue.hpp"
 #include "programs/usage.hpp"
 #include "tools/common/gnuplot.hpp"
@@ -28,6 +30,11 @@ SimulateOptions parseSimulateOptions(int argc, char** argv) {
       numberInto(options.time_step, "time-step"),
       numberInto(options.tolerance, "tolerance"),
       {"integrator", [&](const char* s) { options.integrator = integratorNamed(s); }},
+      {"threads",
+       [&](const char* s) {
+         options.threads =
+             static_cast<int>(wholeNumber("threads", s, 1, SolverOptions::kMaxThreads));
+       }},
       textInto(options.csv, "csv"),
       textInto(options.imu_csv, "imu-csv"),
       textInto(options.bag, "bag"),
@@ -58,6 +65,7 @@ and momentum were conserved, or what changed them.
   --integrator NAME  in place of the scene's
   --time-step S      in place of the scene's [s]
   --tolerance X      in place of the scene's, with integrator auto only
+  --threads N        in place of the scene's: at most so many step and read bodies that are many
   --csv FILE|-       a row for each body and sample; - is the standard output
   --imu-csv FILE|-   a row for each sample of each IMU of the scene, at the IMU's own rate and
                      without noise

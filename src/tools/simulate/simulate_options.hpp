@@ -12,6 +12,7 @@ struct SimulateOptions {
   std::optional<double> sample;           ///< [s] > 0, time between rows
   std::optional<double> time_step;        ///< [s] > 0
   std::optional<double> tolerance;        ///< > 0
+  std::optional<int> threads;             ///< >= 1
   std::optional<std::string> integrator;  ///< a name of the catalogue
   std::optional<std::string> csv;         ///< file; "-": standard output
   std::optional<std::string> imu_csv;     ///< likewise

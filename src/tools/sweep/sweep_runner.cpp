@@ -67,6 +67,7 @@ SweepRunner::SweepRunner(const SweepInputs& inputs)
 SweepRunner::Built SweepRunner::build() {
   const Scene& scene = scene_.scene();
   Built built{buildWorld(scene), {}, inputs_.study.duration.value_or(scene.horizon)};
+  built.world.solver.threads = 1;  // runs are what cores are for
   built.initial = initialState(scene, built.world);
   return built;
 }

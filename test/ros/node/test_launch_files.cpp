@@ -209,6 +209,19 @@ TEST(LaunchFiles, PassOnEveryParameterOfTheNode) {
   }
 }
 
+// roslaunch lists arguments whose default is empty as required, and prints blanks as they are.
+TEST(LaunchFiles, SayWhichArgumentsAreOptionalInOneLineEach) {
+  std::istringstream lines(test::runCommand("roslaunch --ros-args rigid_body_sim sim.launch").out);
+  std::vector<std::string> required;
+  for (std::string line; std::getline(lines, line) && line != "Optional Arguments:";) {
+    EXPECT_EQ(line.find("  ", 2), std::string::npos) << line;
+    if (line.find(": optional: ") == std::string::npos) required.push_back(line);
+  }
+  ASSERT_EQ(required.size(), 2U);
+  EXPECT_EQ(required[0], "Required Arguments:");
+  EXPECT_EQ(required[1].find("  scene: "), 0U);
+}
+
 TEST(LaunchFiles, LetRvizStandInTheWorldFrameOfTheScene) {
   for (const char* file : {"sim.launch", "remote.launch", "fleet.launch"}) {
     EXPECT_EQ(rvizCommand({file, kScene}).options["-f"], "world") << file;
