@@ -1,5 +1,5 @@
 // A box is thrown. A thruster fixed to it, off its centre of mass, fires from 0.25 s to 1.75 s; at
-// 1 s it gets a push that nobody had scheduled. Prints where the box is, ten times a second.
+// 1 s it gets a push that was not scheduled. Prints where the box is, ten times a second.
 #include <cstdio>
 #include <stdexcept>
 

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <stdexcept>
+
 #include <rigid_body_sim/mass/shapes.hpp>
 
 #include "math/wide.hpp"
@@ -46,6 +49,20 @@ Vector3d momentsOf(const Cone& c, double m) {
   return {across, across, 3.0 / 10.0 * m * r2};
 }
 
+bool isLength(double x) { return x > 0 && std::isfinite(x); }
+bool areLengths(const Vector3d& v) { return isLength(v.x()) && isLength(v.y()) && isLength(v.z()); }
+
+bool isPossible(const Box& box) { return areLengths(box.size); }
+bool isPossible(const Ellipsoid& e) { return areLengths(e.semi_axes); }
+bool isPossible(const Sphere& s) { return isLength(s.radius); }
+bool isPossible(const Capsule& c) {
+  return isLength(c.radius) && (c.length == 0 || isLength(c.length));
+}
+template <class Round>
+bool isPossible(const Round& shape) {
+  return isLength(shape.radius) && isLength(shape.length);
+}
+
 }  // namespace
 
 double volume(const Shape& shape) {
@@ -53,6 +70,8 @@ double volume(const Shape& shape) {
 }
 
 MassProperties massProperties(const Shape& shape, double mass) {
+  if (!std::visit([](const auto& s) { return isPossible(s); }, shape))
+    throw std::invalid_argument("lengths of a shape must be > 0 m and finite");
   const Vector3d I = std::visit([mass](const auto& s) { return momentsOf(s, mass); }, shape);
   return {mass, Vector3d::Zero(), I.asDiagonal()};
 }

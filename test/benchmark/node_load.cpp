@@ -28,10 +28,10 @@ class NodeLoad {
     for (int i = 1; i <= bodies; ++i) {
       const std::string name = "body" + std::to_string(i);
       wrenches_.push_back(nh_.advertise<geometry_msgs::WrenchStamped>(name + "/wrench", 1000));
-      const boost::function<void(const nav_msgs::Odometry&)> hear =
+      const boost::function<void(const nav_msgs::Odometry&)> receive =
           [this, i](const nav_msgs::Odometry& message) { take(i == 1, message); };
       odometry_.push_back(nh_.subscribe<nav_msgs::Odometry>(
-          name + "/odom", 1000, hear, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+          name + "/odom", 1000, receive, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
     }
   }
 
@@ -69,7 +69,7 @@ class NodeLoad {
   }
 
   void print(const char* what) {
-    std::printf("%-28s %8.0f %9.0f", what, sent_rate_, static_cast<double>(heard_) / elapsed_);
+    std::printf("%-28s %8.0f %9.0f", what, sent_rate_, static_cast<double>(received_) / elapsed_);
     for (std::vector<double>* sample : {&latency_, &interval_})
       std::printf(" %9.3f %9.3f", 1e3 * quantile(*sample, 0.5), 1e3 * quantile(*sample, 0.999));
     std::printf("\n");
@@ -99,7 +99,7 @@ class NodeLoad {
   void take(bool is_first, const nav_msgs::Odometry& message) {
     const double t = now();
     if (t < measuring_from_) return;
-    ++heard_;
+    ++received_;
     if (!is_first) return;
     if (last_heard_ > 0) interval_.push_back(t - last_heard_);
     last_heard_ = t;
@@ -131,7 +131,7 @@ class NodeLoad {
   double probed_at_ = 0, last_velocity_ = 0, last_change_ = 0, last_heard_ = 0;
   double measuring_from_ = std::numeric_limits<double>::infinity();
   double elapsed_ = 0, sent_rate_ = 0;
-  long long heard_ = 0;
+  long long received_ = 0;
   std::vector<double> latency_, interval_;  // [s]
 };
 
@@ -144,7 +144,7 @@ void echo(int bodies, double rate) {
   std::vector<ros::Publisher> publishers;
   std::vector<ros::Subscriber> subscribers;
   nav_msgs::Odometry odometry;
-  const boost::function<void(const geometry_msgs::WrenchStamped&)> hear =
+  const boost::function<void(const geometry_msgs::WrenchStamped&)> receive =
       [&](const geometry_msgs::WrenchStamped& message) {
         if (message.header.frame_id == "world")
           odometry.twist.twist.linear.z = message.wrench.force.z;
@@ -153,7 +153,7 @@ void echo(int bodies, double rate) {
     const std::string name = "body" + std::to_string(i);
     publishers.push_back(nh.advertise<nav_msgs::Odometry>(name + "/odom", 100));
     subscribers.push_back(nh.subscribe<geometry_msgs::WrenchStamped>(
-        name + "/wrench", 1000, hear, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+        name + "/wrench", 1000, receive, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
   }
   const ros::WallTime begin = ros::WallTime::now();
   for (long long tick = 1; ros::ok(); ++tick) {

@@ -19,9 +19,9 @@ struct Meeting {
 
 void meet(void* data, dGeomID a, dGeomID b) {
   const auto& meeting = *static_cast<const Meeting*>(data);
-  constexpr int kMost = 8;
-  dContact contacts[kMost];
-  const int count = dCollide(a, b, kMost, &contacts[0].geom, sizeof(dContact));
+  constexpr int kMax = 8;
+  dContact contacts[kMax];
+  const int count = dCollide(a, b, kMax, &contacts[0].geom, sizeof(dContact));
   for (int k = 0; k < count; ++k) {
     dSurfaceParameters& surface = contacts[k].surface;
     surface = {};

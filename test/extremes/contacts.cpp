@@ -16,7 +16,7 @@ using test::motionAt;
 
 constexpr double kGravity = 9.80665;  // [m/s²]
 constexpr double kRadius = 0.1;       // [m]
-constexpr double kMostEvaluations = 2e7;
+constexpr double kMaxEvaluations = 2e7;
 
 /// A ball that bounces without loss on a linear spring.
 struct Bounce {
@@ -72,7 +72,7 @@ void run(const Bench& bench, const Run& steps, Cell& cell, const Look& look) {
     for (int i = 0; i < steps.steps && cell.said.empty(); ++i) {
       simulation.step();
       look(simulation);
-      if (static_cast<double>(simulation.evaluations()) > kMostEvaluations)
+      if (static_cast<double>(simulation.evaluations()) > kMaxEvaluations)
         cell.said = "not at its end after 2e7 evaluations";
     }
   } catch (const std::runtime_error& stopped) {

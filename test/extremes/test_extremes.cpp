@@ -148,7 +148,7 @@ TEST(Extremes, OfStiffnessStopTheRunWithAMessageOrWarn) {
   const Cells stiff = springs({"strang", "dop853"}, {1e18, 1e300});
   expectSaid("t = 0 s: body 'body': a step spans 1e+06 rad", of("1e+18", stiff));
   expectSaid("t = 0 s: body 'body': a step spans 1e+147 rad", of("1e+300", stiff));
-  // the trial cannot afford a truth to hold its integrators against
+  // the trial cannot afford a truth to compare its integrators with
   EXPECT_EQ(springs(kAuto, {1e12})[0].warned, "no integrator holds the scene's tolerance");
 }
 

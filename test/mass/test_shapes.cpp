@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -133,6 +134,16 @@ TEST(Shapes, AreFreeOfFaults) {
   for (const Shape& shape : kShapes) EXPECT_EQ(massPropertiesFault(massProperties(shape, 2)), "");
   EXPECT_EQ(massPropertiesFault(massProperties(Box{{1, 1, 1e-7}}, 1)), "");
   EXPECT_EQ(massPropertiesFault(massProperties(Cylinder{5e-7, 1}, 1)), "");
+}
+
+TEST(Shapes, HaveLengthsGreaterThanZero) {
+  const double nan = std::nan("");
+  for (const Shape& shape :
+       {Shape(Box{{0.1, -0.4, 0.9}}), Shape(Box{{0.1, 0.4, nan}}), Shape(Sphere{0}),
+        Shape(Cylinder{0.1, -1}), Shape(Cylinder{-0.1, 1}), Shape(Capsule{0.1, -0.1}),
+        Shape(Capsule{0, 0.1}), Shape(Ellipsoid{{1, 0, 1}}), Shape(Cone{0.1, nan})})
+    EXPECT_THROW(massProperties(shape, 1), std::invalid_argument) << shape.index();
+  EXPECT_NO_THROW(massProperties(Capsule{0.1, 0}, 1));
 }
 
 }  // namespace rigid_body_sim

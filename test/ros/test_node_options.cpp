@@ -91,12 +91,12 @@ TEST(NodeOptions, NeedExactlyOneScene) {
 }
 
 TEST(NodeOptions, RefuseAnUnknownName) {
-  EXPECT_EQ(refusalOf("publish_rat", 10),
-            "parameter ~publish_rat: unknown, got '10'; known: body_topics, clock_rate, "
-            "command_timeout, lockstep, lockstep_period, lockstep_timeout, odometry_covariance, "
-            "publish_clock, publish_rate, "
-            "real_time_factor, reset_time, scene, "
-            "scene_file, start_paused, start_time, tf_prefix, wrench_timeout");
+  EXPECT_EQ(
+      refusalOf("publish_rat", 10),
+      "parameter ~publish_rat: unknown, got '10'; known: body_topics, clock_rate, "
+      "command_timeout, diagnostic_period, lockstep, lockstep_period, lockstep_timeout, "
+      "odometry_covariance, publish_clock, publish_rate, real_time_factor, reset_time, scene, "
+      "scene_file, start_paused, start_time, tf_prefix, wrench_timeout");
 }
 
 // diagnostic_updater, within the node, reads it.

@@ -77,6 +77,16 @@ TEST(SceneDrag, HasRulesForThreeNumbers) {
   EXPECT_EQ(error("{center: 1}"), at + "drag.center must be a list of 3 numbers [m], got 1");
 }
 
+TEST(SceneMedium, ActsOnNoFixedBody) {
+  const std::string rule = " cannot move the body, which is fixed; remove one of the two";
+  const std::string fixed = kBoxOfWater + "fixed: true\n    ";
+  EXPECT_EQ(errorOf(inMedium(fixed + "buoyancy: true")), "s.yaml:9: body 'box': buoyancy" + rule);
+  EXPECT_EQ(errorOf(inMedium("shape: {plane: {}}\n    fixed: true\n    buoyancy: {volume: 1}")),
+            "s.yaml:8: body 'box': buoyancy" + rule);
+  EXPECT_EQ(errorOf(inMedium(fixed + "drag: {linear: 1}")), "s.yaml:5: body 'box': drag" + rule);
+  EXPECT_EQ(errorOf(inMedium(fixed + "buoyancy: false\n    drag: {linear: 0}")), "");
+}
+
 // Neutral in water: it stays where it is.
 TEST(SceneBuoyancy, HoldsABodyAsDenseAsTheMedium) {
   Simulation sim = simulationOf(inMedium(kBoxOfWater + "buoyancy: true"));
@@ -122,6 +132,9 @@ TEST(SceneBuoyancy, NeedsVolumeDensityAndUniformGravity) {
             "s.yaml:8: body 'box': missing key 'buoyancy.volume'");
   EXPECT_EQ(errorOf(inMedium(kBoxOfWater + "buoyancy: {volume: -1}")),
             "s.yaml:8: body 'box': buoyancy.volume must be > 0 m^3, got -1");
+  EXPECT_EQ(errorOf(inMedium(kBoxOfWater + "buoyancy: {volume: 1.0e+307}")),
+            "s.yaml:5: body 'box': law 'buoyancy': the mass displaced must be >= 0 kg and finite, "
+            "got inf");
   EXPECT_EQ(
       errorOf(inMedium(kBoxOfWater + "buoyancy: 3")),
       "s.yaml:8: body 'box': buoyancy must be true, false or {volume: .., center: [x, y, z]}, "

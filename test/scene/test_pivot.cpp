@@ -77,6 +77,23 @@ TEST(ScenePivot, RefusesWhatIsNotSupportedBesideIt) {
             "not supported; remove its pivot or leave it out of between");
 }
 
+TEST(ScenePivot, IsTakenFromContactWithAllByNoCollision) {
+  const std::string keys = "pivot: {point: [0, 0, 1]}";
+  const auto world = [](const std::string& named) {
+    return "  - {name: ground, shape: {plane: {}}, fixed: true}\n"
+           "  - {name: ball, shape: {sphere: {radius: 0.1}}, mass: 1, position: [5, 0, 1]}\n"
+           "forces: [{type: contact, between: [" +
+           named + ", all], stiffness: 1.0e+5}]\n";
+  };
+  const std::string fault =
+      "s.yaml:8: forces[0]: between: body 'arm' is on a pivot, and contact of such a body is not "
+      "supported; remove its pivot or ";
+  EXPECT_EQ(armError(keys, world("ground")),
+            fault + "take it from what all means, by collision: []");
+  EXPECT_EQ(armError(keys, world("arm")), fault + "leave it out of between");
+  EXPECT_EQ(armError(keys + ", collision: []", world("ground")), "");
+}
+
 // −c v at the centre of mass, which moves at ω × c: here 3 m below the pivot.
 TEST(ScenePivot, LetsDragActAtTheCentreOfMass) {
   const Scene scene =

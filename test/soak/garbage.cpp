@@ -15,8 +15,8 @@ namespace rigid_body_sim {
 namespace {
 
 /// Publishes wrenches at full speed, most of them with something that no node can take, none that
-/// could make a simulation diverge; and hears what the node makes of it. Ends with 1 when the node
-/// has been silent for that long [s].
+/// could make a simulation diverge; and receives what the node makes of it. Ends with 1 when the
+/// node has been silent for that long [s].
 class Garbage {
  public:
   static constexpr double kLongestSilence = 20;
@@ -24,7 +24,7 @@ class Garbage {
   Garbage()
       : general_(nh_.advertise<AppliedWrench>("rigid_body_node/wrench", 1000)),
         everyday_(nh_.advertise<geometry_msgs::WrenchStamped>("box/wrench", 1000)),
-        odometry_(nh_.subscribe("box/odom", 1000, &Garbage::hear, this)) {}
+        odometry_(nh_.subscribe("box/odom", 1000, &Garbage::receive, this)) {}
 
   int run() {
     Clock::time_point next_report = Clock::now();
@@ -38,7 +38,7 @@ class Garbage {
       }
       if (now < next_report) continue;
       next_report = now + std::chrono::seconds(10);
-      std::printf("sent %lld, odometry heard %lld\n", sent_, heard_);
+      std::printf("sent %lld, odometry received %lld\n", sent_, received_);
       std::fflush(stdout);
     }
     return 0;
@@ -47,8 +47,8 @@ class Garbage {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void hear(const nav_msgs::Odometry&) {
-    ++heard_;
+  void receive(const nav_msgs::Odometry&) {
+    ++received_;
     last_heard_ = Clock::now();
   }
 
@@ -99,7 +99,7 @@ class Garbage {
   }
 
   std::mt19937 random_{1};
-  long long sent_ = 0, heard_ = 0;
+  long long sent_ = 0, received_ = 0;
   Clock::time_point last_heard_ = Clock::now();
   ros::NodeHandle nh_;
   ros::Publisher general_;

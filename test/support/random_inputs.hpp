@@ -9,7 +9,7 @@
 
 namespace rigid_body_sim::test {
 
-/// What comes in before a step: a function of the step alone, so that every run hears the same.
+/// What comes in before a step: a function of the step alone, so that every run receives the same.
 class RandomInputs {
  public:
   /// Resets with odd seeds only.

@@ -1,4 +1,6 @@
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
@@ -39,6 +41,22 @@ class CompareRuns : public ::testing::Test {
     return files.path(name);
   }
 
+  /// A bag of odometry of `box` at each x [m], at stamps [s], in the order in which it
+  /// is recorded, under a simulation clock.
+  std::string record(const std::string& name,
+                     const std::vector<std::pair<double, double>>& stamps_and_x) const {
+    rosbag::Bag bag(files.path(name), rosbag::bagmode::Write);
+    for (const auto& [stamp, x] : stamps_and_x) {
+      nav_msgs::Odometry odometry;
+      odometry.header.stamp = ros::Time(stamp);
+      odometry.child_frame_id = "box";
+      odometry.pose.pose.position.x = x;
+      odometry.pose.pose.orientation.w = 1;
+      bag.write("/box/odom", odometry.header.stamp, odometry);
+    }
+    return files.path(name);
+  }
+
   TemporaryDirectory files;
 };
 
@@ -72,6 +90,36 @@ TEST_F(CompareRuns, MeasuresWhatDiffers) {
   const std::string d = csv("d.csv", "0", "0,0,0,1"), e = csv("e.csv", "1e-300", "0,0,0,1");
   EXPECT_EQ(compare(d + " " + e).exit_code, 1);
   EXPECT_EQ(compare(d + " " + e + " --tolerance 1e-9").exit_code, 0);
+}
+
+// A node that is paused says again where a body is; between, the body was put elsewhere.
+TEST_F(CompareRuns, TakesAnyOfTheStatesOfOneInstant) {
+  const std::string set = record("set.bag", {{1, 5}, {2, 6}, {2, 6}, {2, 9}, {2, 9}, {3, 10}});
+  const std::string line =
+      "box: 3 instants in both (at 1 of them a run holds several states, of which the nearest "
+      "counts), 0 in one only: ";
+  for (const double shown : {6, 9}) {
+    const std::string again = record("again.bag", {{1, 5}, {2, shown}, {3, 10}});
+    for (const std::string& pair : {set + " " + again, again + " " + set}) {
+      const test::Outcome run = compare(pair);
+      EXPECT_EQ(run.exit_code, 0) << run.out;
+      EXPECT_EQ(run.out, line + "the same bits\n");
+    }
+  }
+  // what neither of them is still differs, and so does what follows
+  const test::Outcome other = compare(set + " " + record("other.bag", {{1, 5}, {2, 7}, {3, 10}}));
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_EQ(other.out.find(line + "position 1 m, "), 0U) << other.out;
+  EXPECT_EQ(compare(set + " " + record("other.bag", {{1, 5}, {2, 6}, {3, 7}})).exit_code, 1);
+}
+
+TEST_F(CompareRuns, TakesTheLastOfSeveralRunsInABag) {
+  const std::string two = record("two.bag", {{1, 5}, {2, 6}, {3, 7}, {1, 5}, {2, 8}});
+  const test::Outcome run = compare(two + " " + record("one.bag", {{1, 5}, {2, 8}}));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, "compare_runs: notice: " + two +
+                         ": holds several runs, parted by resets or loads, of which the last is "
+                         "compared\nbox: 2 instants in both, 0 in one only: the same bits\n");
 }
 
 TEST_F(CompareRuns, NamesTheBodiesOfOneRunOnly) {

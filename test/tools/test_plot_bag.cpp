@@ -111,6 +111,47 @@ TEST_F(PlotBag, HoldsForcesAndTheBalanceOfItsTopics) {
   EXPECT_FALSE(run.has_kinetic);
 }
 
+// A reset of time, in the order in which a node says so on its topics: recorded at wall time, and
+// at that of the node's clock, in whose order a view of rosbag mixes the runs.
+class PlotBagOfRuns : public PlotBag, public ::testing::WithParamInterface<bool> {};
+
+TEST_P(PlotBagOfRuns, IsReadFromTheLastOn) {
+  ros::Time recorded = start;
+  const auto say = [&](const std::string& topic, auto message) {
+    recorded += ros::Duration(1);
+    bag.write(topic, GetParam() ? recorded : message.header.stamp, message);
+  };
+  SimStatus status;
+  const auto odom = [&](const std::string& body, double t) {
+    nav_msgs::Odometry message = odometry(t);
+    message.child_frame_id = body;
+    say("/" + body + "/odom", message);
+  };
+  const auto energyAt = [&](double t, double energy) {
+    status.header.stamp = start + ros::Duration(t);
+    status.mechanical_energy = energy;
+    say("/rigid_body_node/status", status);
+  };
+  for (const double t : {0.0, 1.0, 2.0}) odom("box", t), odom("top", t), odom("gone", t);
+  energyAt(1.5, 7);
+  odom("box", 0), odom("top", 0);
+  energyAt(0.5, 8);
+  odom("box", 1), odom("top", 1);
+  const RunData run = read();
+  EXPECT_EQ(run.notices,
+            std::vector<std::string>{path + ": holds several runs, parted by resets or "
+                                            "loads, of which the last is drawn"});
+  ASSERT_EQ(run.motion.all().size(), 2U);
+  for (const BodySamples<13>& body : run.motion.all())
+    EXPECT_EQ(body.samples.t, (std::vector<double>{0, 1})) << body.body;
+  ASSERT_EQ(run.balance.t.size(), 1U);
+  EXPECT_EQ(run.balance.rows[0][0], 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Clocks, PlotBagOfRuns, ::testing::Bool(), [](const auto& at_wall_time) {
+  return at_wall_time.param ? "wall" : "simulation";
+});
+
 TEST_F(PlotBag, WithoutABalanceSaysWhyEnergyIsNotDrawn) {
   write("/box/odom", odometry(0));
   const RunData without = read();

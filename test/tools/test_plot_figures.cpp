@@ -95,6 +95,33 @@ TEST(AttitudeAngles, MeanTheAttitude) {
   }
 }
 
+// Turning about x by 0.3 rad a sample: ten whole turns, then it is away, or put back.
+TEST(PlotFigures, ShowAttitudeAnewAfterAnAbsenceAndAfterAReset) {
+  constexpr int kCount = 210, kLater = 3;  // up to half a turn
+  const double wx = 3, dt = 0.1;
+  for (const double pause : {0., dt, 5.}) {  // [s] set while time stood, in the run, and away
+    RunData run;
+    Samples<13>& box = run.motion.of("box");
+    const auto add = [&](double t, double angle) {
+      box.t.push_back(t);
+      box.rows.push_back(
+          {0, 0, 0, std::sin(angle / 2), 0, 0, std::cos(angle / 2), 0, 0, 0, wx, 0, 0});
+    };
+    for (int k = 0; k < kCount; ++k) add(k * dt, k * wx * dt);
+    for (int k = 0; k < kLater; ++k) add((kCount - 1 + k) * dt + pause, 2 + k * wx * dt);
+    const std::vector<Figure> figures = figuresOf(run, {"box"});
+    const Figure* attitude = figureNamed("attitude", figures);
+    ASSERT_NE(attitude, nullptr);
+    const std::vector<double>& roll = attitude->panels[0].curves[0].y;
+    const double degrees = 180 / std::acos(-1.0);
+    for (int k = 0; k < kCount; ++k)
+      EXPECT_NEAR(roll[static_cast<std::size_t>(k)], degrees * k * wx * dt, 1e-6) << k;
+    for (int k = 0; k < kLater; ++k)
+      EXPECT_NEAR(roll[static_cast<std::size_t>(kCount + k)], degrees * (2 + k * wx * dt), 1e-6)
+          << pause << ' ' << k;
+  }
+}
+
 TEST(PlotFigures, ShowRatesInTheAxesOfTheBody) {
   RunData run;
   const double s = std::sqrt(0.5);

@@ -9,9 +9,8 @@ namespace rigid_body_sim {
 ///   f = −ρ V g   at the centroid of its volume x_b,   V_pot = ρ V g · x_b.
 class Buoyancy final : public ForceLaw {
  public:
-  /// displaced [kg] = ρ V; centroid_P [m] in principal axes.
-  Buoyancy(std::size_t body, double displaced, const Vector3d& centroid_P, const Vector3d& g_W)
-      : body_(body), displaced_(displaced), centroid_P_(centroid_P), g_W_(g_W) {}
+  /// displaced [kg] = ρ V >= 0; centroid_P [m] in principal axes. Throws std::invalid_argument.
+  Buoyancy(std::size_t body, double displaced, const Vector3d& centroid_P, const Vector3d& g_W);
 
   const char* name() const override { return "buoyancy"; }
   std::vector<std::size_t> members() const override { return {body_}; }

@@ -13,9 +13,8 @@ namespace rigid_body_sim {
 /// so that the torque has no potential: its power counts as external.
 class CentralGravity final : public ForceLaw {
  public:
-  /// mu [m³/s²] > 0: gravitational constant × mass at the centre.
-  CentralGravity(std::size_t body, const Vector3d& center_W, double mu, bool gradient)
-      : body_(body), gravity_{center_W, mu}, gradient_(gradient) {}
+  /// mu [m³/s²] > 0: gravitational constant × mass at the centre. Throws std::invalid_argument.
+  CentralGravity(std::size_t body, const Vector3d& center_W, double mu, bool gradient);
 
   const char* name() const override { return "central gravity"; }
   std::vector<std::size_t> members() const override { return {body_}; }

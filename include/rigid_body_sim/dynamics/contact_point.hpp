@@ -33,7 +33,8 @@ struct ContactEvent {
 /// Whether a law of the world is one of contact.
 bool hasContact(const World& world);
 
-/// Everything that touches in a state, law by law in the order of World::laws.
+/// Everything that touches in a state, law by law in the order of World::laws. Empty for a state
+/// without the states of laws: take one that a simulation gave.
 std::vector<ContactPoint> contactsOf(const World& world, const State& state);
 
 }  // namespace rigid_body_sim

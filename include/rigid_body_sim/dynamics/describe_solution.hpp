@@ -12,13 +12,14 @@ namespace rigid_body_sim {
 ///   crate: gravity, wrenches, Taylor
 ///   upper: spring, drag, dop853 in substeps of 0.5 ms (2 per step)
 ///   table: fixed
-/// Of more than 40 bodies, neighbours of which the same is to be said share a line:
+/// Of more than 40 bodies, neighbours with the same line share it:
 ///   b0 to b99 (100 bodies): gravity, spherical, exact
 /// Of the wrenches, those that the world schedules. Further lines say where auto found no
 /// integrator to hold the tolerance.
 std::vector<std::string> describeSolution(const Simulation& simulation);
 
-/// Says that steps were divided further than asked for, and how far; empty if none was.
+/// Says that steps were divided into more substeps than planned, and into how many; empty if none
+/// was.
 std::string describeSubsteps(const Simulation& simulation);
 
 /// Says that rounding has been magnified by more than half of the digits of a number; empty if it
@@ -32,7 +33,8 @@ std::string describeMagnification(const Simulation& simulation);
 /// laws, and where that run would take more than a tenth of a second.
 std::string describeInstability(const Simulation& simulation, const State& start);
 
-/// Says from when on the tolerance is not held, as far as errors are tracked; empty while it is.
+/// Says from when on the tolerance is not certain to be held, where errors are tracked
+/// (Simulation::trackError); empty while it is.
 std::string describePromise(const Simulation& simulation);
 
 }  // namespace rigid_body_sim

@@ -16,8 +16,8 @@ class Drag final : public ForceLaw {
     bool any() const { return linear != 0 || quadratic != 0 || angular != 0; }
   };
 
-  Drag(std::size_t body, const Coefficients& coefficients)
-      : body_(body), coefficients_(coefficients) {}
+  /// Throws std::invalid_argument for coefficients that break a rule.
+  Drag(std::size_t body, const Coefficients& coefficients);
 
   const char* name() const override { return "drag"; }
   std::vector<std::size_t> members() const override { return {body_}; }

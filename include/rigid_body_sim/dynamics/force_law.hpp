@@ -31,13 +31,13 @@ struct MediumLoad;
 
 /// What is known of the motion of a body that no law disturbs, up to a time.
 struct MotionBound {
-  Vector3d a_W = Vector3d::Zero();  ///< [m/s²] its acceleration is within
-  double a_off = 0;                 ///< [m/s²] of that
+  Vector3d a_W = Vector3d::Zero();  ///< [m/s²] its acceleration lies within a_off of this
+  double a_off = 0;                 ///< [m/s²]
   double torque = 0;                ///< [N m] no torque on it exceeds this
   double until = 0;                 ///< [s]
 };
 
-/// How far a body strays from a state that it stays near, at most.
+/// Bounds on how far a body strays from a state.
 struct Stray {
   double place = 0;  ///< [m]
   double turn = 0;   ///< [rad]
@@ -95,13 +95,13 @@ class ForceLaw {
   /// [W] Power that does not come out of the potential: negative where the law dissipates.
   virtual double externalPower(const Bodies& at) const = 0;
 
-  /// Adds what the law brings about at any state, body by body, so that steps can be kept short
-  /// enough.
+  /// Adds, body by body, bounds on how fast the law makes it swing and slow down at any state, so
+  /// that steps can be kept short enough.
   virtual void addStiffness(const std::vector<const Body*>& /*bodies*/,
                             std::vector<Stiffness>& /*stiffness*/) const {}
 
-  /// [1/s] How fast, beside that, what it brings about changes, at states that are at most as fast
-  /// as given [m/s], body by body.
+  /// [1/s] A bound, beside that, on the rate at which the law's wrenches change near these states,
+  /// where the speeds are at most those given [m/s], body by body.
   virtual double rate(const Bodies& /*at*/, const std::vector<double>& /*speeds*/) const {
     return 0;
   }
@@ -112,35 +112,35 @@ class ForceLaw {
   /// Whether rate() depends on the speeds.
   virtual bool rateGrowsWithSpeed() const { return false; }
 
-  /// [m] The greatest length that the law subtracts positions over: what rounding it is exposed to.
+  /// [m] The greatest length over which the law subtracts positions, by which rounding errs in it.
   virtual double reach(const Bodies& /*at*/) const { return 0; }
 
-  /// Whether kick() is there.
+  /// Whether the law implements kick().
   virtual bool hasFlow() const { return false; }
 
   /// The flow over h [s] of the law together with a wrench on its only body, at fixed place and
-  /// attitude: what integrators made of impulses use in place of h × the law's wrench, so that they
-  /// follow it however stiff. At most one law with a flow acts on a body.
+  /// attitude. Integrators that kick and drift use it in place of h × the law's wrench, so that
+  /// they follow the law however stiff it is. At most one law with a flow acts on a body.
   virtual void kick(const Body& /*body*/, const Wrench& /*wrench*/, double /*h*/,
                     BodyState& /*state*/) const {}
 
-  /// Scalars that the law carries from step to step: those that change with time and those that
-  /// tell in which of its modes it is.
+  /// Number of scalars that the law carries from step to step: those that change with time and
+  /// those that say in which of its modes it is.
   virtual std::size_t stateCount() const { return 0; }
 
   /// Their values at the start, and their rates of change; zero where they are not given.
   virtual void setStart(double* own) const;
   virtual void setRates(const Bodies& at, double* rates) const;
 
-  /// addWrenches and setRates at once, for laws in which the one takes what the other does.
+  /// addWrenches and setRates at once, for laws in which they share computations.
   virtual void addWrenchesAndRates(const Bodies& at, std::vector<Wrench>& wrenches,
                                    double* rates) const {
     addWrenches(at, wrenches);
     setRates(at, rates);
   }
 
-  /// Whether these finite values can be its own states: it may be given those of a file, and some
-  /// tell in which of its modes it is.
+  /// Whether these finite values can be its own states, of which some say in which of its modes it
+  /// is: they may come from a file.
   virtual bool admits(const double* /*own*/) const { return true; }
 
   /// Events: a step ends at the instant at which one of the guards, positive before, falls below
@@ -150,7 +150,7 @@ class ForceLaw {
   virtual void setGuards(const Bodies& /*at*/, double* /*guards*/) const {}
   virtual void switchMode(std::size_t /*guard*/, const Bodies& /*at*/, double* /*own*/) const {}
 
-  /// Whether it acts in the mode that its own states tell. A law that does not act adds no wrench,
+  /// Whether it acts in the mode that its own states say. A law that does not act adds no wrench,
   /// links no bodies and costs their motion nothing, which may be solved meanwhile; its guards are
   /// looked at on their motion, and not before quietUntil.
   virtual bool acts(const double* /*own*/) const { return true; }

@@ -32,21 +32,19 @@ struct StateInput {
   BodyFrameMotion motion;
 };
 
-/// An actuator is commanded; what was commanded for later stays.
+/// An actuator is commanded; commands with a later start stay.
 struct CommandInput {
   ActuatorCommand command;
 };
 
-/// The medium moves at another velocity from now on. Until a reset, after which it is that of the
-/// scene.
+/// The velocity of the medium is set, from now on. A reset sets that of the scene.
 struct WindInput {
   Vector3d velocity_W = Vector3d::Zero();  ///< [m/s]
 };
 
-/// The mass properties of a body that moves are others from now on: fuel, a payload, a gripper. Its
-/// place, its momentum p and its angular momentum about the world's origin are kept, so that its
-/// velocities change; until a reset, after which they are those of the scene. See
-/// Simulation::setMassProperties.
+/// The mass properties of a body that moves are set anew: fuel, a payload, a gripper. Its place,
+/// its momentum p and its angular momentum about the world's origin are kept, so that its
+/// velocities change. A reset sets those of the scene. See Simulation::setMassProperties.
 struct MassInput {
   std::size_t body = 0;         ///< index
   MassProperties properties_B;  ///< with wheels and rotors, as if these stood still in it

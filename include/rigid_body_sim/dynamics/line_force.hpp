@@ -21,7 +21,7 @@ struct LineForce {
   End from, to;
   double length = 0;   ///< [m]
   double tension = 0;  ///< [N] > 0: it pulls its ends towards each other; < 0: it pushes them apart
-  bool is_slack = false;  ///< a tether that is slack or limp: its tension is 0
+  bool is_slack = false;  ///< of a tether: slack or limp, its tension is 0
 };
 
 /// Whether the world has a spring or a tether.

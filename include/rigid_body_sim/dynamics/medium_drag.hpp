@@ -32,9 +32,8 @@ class MediumDrag final : public ForceLaw {
     bool any() const { return linear.any() || quadratic.any() || angular.any(); }
   };
 
-  /// medium_W [m/s]: w at the start.
-  MediumDrag(std::size_t body, const Coefficients& coefficients, const Vector3d& medium_W)
-      : body_(body), coefficients_(coefficients), medium_W_(medium_W) {}
+  /// medium_W [m/s]: w at the start. Throws std::invalid_argument for what breaks a rule.
+  MediumDrag(std::size_t body, const Coefficients& coefficients, const Vector3d& medium_W);
 
   const char* name() const override { return "drag"; }
   std::vector<std::size_t> members() const override { return {body_}; }

@@ -52,7 +52,7 @@ struct ContactTrial {
 /// Advances a world by its fixed time step. Time is step count × step, never accumulated.
 /// Wrenches start and end at their exact instants, whatever the step. Bodies that do not act on one
 /// another are advanced separately. Copies are independent: two threads may run two of them, and
-/// read one.
+/// read one. Indices of bodies and times that are out of range throw std::invalid_argument.
 class Simulation {
  public:
   /// Wrenches that may act or be to come, of all bodies together.

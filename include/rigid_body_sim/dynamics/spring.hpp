@@ -23,8 +23,8 @@ class Spring final : public ForceLaw {
     double rest_length = 0;  ///< [m] >= 0
   };
 
-  Spring(const End& from, const End& to, const Constants& constants)
-      : ends_{from, to}, constants_(constants) {}
+  /// Throws std::invalid_argument for constants that break a rule, and for ends on one body.
+  Spring(const End& from, const End& to, const Constants& constants);
 
   const char* name() const override { return "spring"; }
   std::vector<std::size_t> members() const override;

@@ -53,7 +53,7 @@ struct MotionPlan {
   /// tethers between them that may begin to.
   std::vector<std::size_t> laws, waiting_laws;
   std::string integrator;     ///< a name of the catalogue; empty: the motion is solved
-  int substeps = 1;           ///< equal parts in which each time step is taken, at least
+  int substeps = 1;           ///< equal substeps of each time step, at least
   bool by_estimates = false;  ///< the integrator's own error estimates divide its steps further
   bool at_rest = false;  ///< bodies in contact that have come to rest, until they are disturbed
   bool holds = true;     ///< with auto: whether an integrator was found to hold the tolerance

@@ -27,8 +27,8 @@ class Tether final : public ForceLaw {
     double length = 0;     ///< [m] > 0, up to which it is slack
   };
 
-  Tether(const Spring::End& from, const Spring::End& to, const Constants& constants)
-      : ends_{from, to}, constants_(constants) {}
+  /// Throws std::invalid_argument for constants that break a rule, and for ends on one body.
+  Tether(const Spring::End& from, const Spring::End& to, const Constants& constants);
 
   const char* name() const override { return "tether"; }
   std::vector<std::size_t> members() const override;

@@ -31,7 +31,7 @@ struct WorldBodies {
   ForceLaws laws;
 };
 
-/// Everything that a simulation holds constant: what the scene named and nothing else.
+/// Everything that stays constant in a simulation: what the scene names and nothing else.
 struct World {
   std::vector<Body> bodies;
   Vector3d g_W = Vector3d::Zero();        ///< [m/s²] uniform gravity
@@ -39,7 +39,7 @@ struct World {
   std::vector<ActuatorCommand> commands;  ///< likewise
   ForceLaws laws;                         ///< between bodies, points and the world
   bool has_medium = false;  ///< whether a medium is named, the velocity of which may be set
-  /// What IMUs on fixed bodies feel of central gravity; on bodies that move it is a law.
+  /// Central gravity, for IMUs on fixed bodies; on bodies that move it is a law.
   std::vector<GravityCenter> gravity_centers;
   std::vector<Imu> imus;  ///< body by body
   SolverOptions solver;

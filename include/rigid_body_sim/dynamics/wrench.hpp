@@ -26,7 +26,8 @@ void applyForce(Wrench& wrench, const BodyState& state, const Vector3d& f_W, con
 /// what shows. Beyond, the force makes up for it.
 constexpr double kImpulseRounding = 1e-12;
 
-/// A force or torque of an applied wrench, from its axes to the world's.
+/// The vector v, a force or torque of an applied wrench, from the axes of the wrench to the
+/// world's.
 Vector3d toWorldAxes(const PointWrench& applied, const Vector3d& v,
                      const std::vector<BodyState>& bodies);
 

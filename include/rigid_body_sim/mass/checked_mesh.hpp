@@ -15,7 +15,7 @@ struct CheckedMesh {
 };
 
 /// Merges vertices at exactly the same position (STL repeats them for every triangle), drops
-/// triangles that have shrunk to an edge or a point by it, and checks that the mesh bounds a solid:
+/// triangles of which two corners are then the same, and checks that the mesh bounds a solid:
 ///   - at least one triangle, indices within the vertices, finite vertices;
 ///   - closed: no edge belongs to one triangle only;
 ///   - no edge belongs to more triangles on one side than on the other (used thrice);

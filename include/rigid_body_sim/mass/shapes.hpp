@@ -7,7 +7,7 @@
 namespace rigid_body_sim {
 
 /// Homogeneous solids, each with its centre of mass at the origin of its own frame and its axes
-/// along the frame's.
+/// along the frame's. massProperties throws std::invalid_argument for lengths that break a rule.
 struct Box {
   Vector3d size;  ///< [m] edge lengths, > 0
 };

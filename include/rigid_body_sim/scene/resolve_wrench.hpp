@@ -7,7 +7,7 @@
 namespace rigid_body_sim {
 
 struct ResolvedWrench {
-  PointWrench wrench;  ///< of account only without fault
+  PointWrench wrench;  ///< valid only where fault is empty
   std::string fault;   ///< one line saying which rule is broken and what was found; empty if none
 };
 

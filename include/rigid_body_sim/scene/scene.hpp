@@ -58,8 +58,8 @@ enum class MeshSolid { kSurface, kHull, kBox };
 /// Corners [m] of a convex hull, none of them between others. Shared by the bodies that have them.
 using HullCorners = std::shared_ptr<const std::vector<Vector3d>>;
 
-/// The solid of a triangle mesh, in the axes of its file. The triangles themselves have done their
-/// work once these integrals are known.
+/// The solid of a triangle mesh, in the axes of its file: its integrals, from which mass properties
+/// follow. The triangles themselves are not kept.
 struct MeshDef {
   std::string url;                    ///< of the file: package:// as in the scene, else file://
   Vector3d scale = Vector3d::Ones();  ///< of the axes of the file; none is 0
@@ -243,7 +243,7 @@ struct Scene {
   std::vector<ForceDef> forces;
   std::vector<WrenchDef> wrenches;
   std::vector<CommandDef> commands;
-  std::vector<std::string> notices;  ///< what the reader put right; for the user to see
+  std::vector<std::string> notices;  ///< what the reader changed or doubts; for the user to see
 };
 
 }  // namespace rigid_body_sim

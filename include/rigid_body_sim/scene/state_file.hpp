@@ -24,7 +24,8 @@ State parseState(const std::string& text, const std::string& source, const World
 void saveState(const std::string& path, const World& world, const State& state);
 State loadState(const std::string& path, const World& world);
 
-/// Throws as saveState would where no file can be made at the path, which is left as it is.
+/// Throws SceneError, as saveState would, where no file can be made at the path. Leaves what is
+/// there as it is.
 void requireSavable(const std::string& path);
 
 }  // namespace rigid_body_sim

@@ -190,17 +190,24 @@ void BallContact::setRates(const Bodies& at, double* rates) const {
 }
 
 void BallContact::setGuards(const Bodies& at, double* guards) const {
-  forPairs(at, at.own, [&](std::size_t pair, const Now& now, const double* own) {
-    double* of_pair = guards + pair * kGuardCount;
+  const Frame a = frameOf(a_, at), b = frameOf(b_, at);
+  const double* own = at.own;
+  for (std::size_t pair = 0; pair < pairCount(); ++pair, own += kOwnCount, guards += kGuardCount) {
+    const Now now = this->now(pair, a, b, modeOf(own));
     const bool touches = (now.mode & kTouches) != 0;
-    of_pair[kTouch] = now.point.touchGuard(touches);
-    of_pair[kPull] = now.point.pushGuard(c_, touches);
-    of_pair[kSlip] = 1;
-    if (!touches || !bristle_.exists()) return;
+    const double arm_a = now.arm_a_W.norm(), arm_b = now.arm_b_W.norm();
+    guards[kTouch] =
+        now.point.touchGuard(touches, kDepthRounding * (now.distance + arm_a + arm_b), [&] {
+          return kDepthRounding *
+                 (a.v_W.norm() + b.v_W.norm() + arm_a * a.w_W.norm() + arm_b * b.w_W.norm());
+        });
+    guards[kPull] = now.point.pushGuard(c_, touches);
+    guards[kSlip] = 1;
+    if (!touches || !bristle_.exists()) continue;
     const double excess =
         Pull::excess(bristle_, stretchOf(own), now.slip_W, c_.friction * now.point.force(c_));
-    of_pair[kSlip] = (now.mode & kSlips) ? excess : Bristles::margin(mass_) - excess;
-  });
+    guards[kSlip] = (now.mode & kSlips) ? excess : Bristles::margin(mass_) - excess;
+  }
 }
 
 void BallContact::switchMode(std::size_t guard, const Bodies& /*at*/, double* own) const {

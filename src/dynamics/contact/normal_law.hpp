@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <rigid_body_sim/dynamics/contact.hpp>
 
@@ -15,14 +16,27 @@ inline double oddPower(double depth, double p) {
   return std::copysign(std::pow(std::abs(depth), p), depth);
 }
 
+/// What rounding may shift a difference by, as a share of its terms.
+constexpr double kDepthRounding = 8 * std::numeric_limits<double>::epsilon();
+
 /// A point that touches: the normal force and its energy.
 struct NormalPoint {
   double depth = 0;      ///< δ [m]
   double rate = 0;       ///< δ' [m/s]
   bool clipped = false;  ///< whether it would pull: 1 + d δ' < 0
 
-  /// Below zero where it begins to touch, or lets go.
-  double touchGuard(bool touches) const { return touches ? signedDepth() : -signedDepth(); }
+  /// Below zero where it begins to touch, or lets go: as δ passes zero the way that δ' shows.
+  /// Against that way only where δ is beyond its rounding: else what has just let go would touch
+  /// again at once. What lies on the plane exactly, at rest, touches it. rate_rounding(): what δ'
+  /// may err by; asked for where that matters.
+  template <class Rounding>
+  double touchGuard(bool touches, double depth_rounding, const Rounding& rate_rounding) const {
+    constexpr double kTiny = 1e-300;
+    if (std::abs(depth) > depth_rounding) return touches ? depth : -depth;
+    const bool leaves = rate < -rate_rounding();
+    if (touches != leaves) return depth_rounding;
+    return depth == 0 ? -kTiny : (touches ? depth : -depth);
+  }
 
   /// Below zero where it begins, or ceases, to push; nothing to guard where it does not touch.
   double pushGuard(const ContactParameters& c, bool touches) const {
@@ -55,15 +69,6 @@ struct NormalPoint {
   double externalPower(const ContactParameters& c) const {
     const double elastic = c.stiffness * oddPower(depth, c.exponent);
     return clipped ? elastic * rate : -elastic * c.dissipation * rate * rate;
-  }
-
- private:
-  /// δ, or, exactly touching, a number of the sign that δ has next: a body at rest on a plane
-  /// touches it.
-  double signedDepth() const {
-    constexpr double kTiny = 1e-300;
-    if (depth != 0) return depth;
-    return rate >= 0 ? kTiny : -kTiny;
   }
 };
 

@@ -17,6 +17,7 @@ Patch::Patch(const Feature& feature, const ContactParameters& parameters, double
       c_(parameters),
       mass_(mass),
       lever_(feature.reach()),
+      reach_(lever_),
       bristle_(Bristles::sliding(parameters, mass)),
       rolling_(Bristles::rolling(parameters, mass, lever_)) {
   const double area = feature.radius * feature.radius;
@@ -26,12 +27,13 @@ Patch::Patch(const Feature& feature, const ContactParameters& parameters, double
 Patch::Pose::Pose(const Body& on, const BodyState& at, const Plane& against)
     : body(on),
       state(at),
+      o_W(against.half_space.origin_W),
       n_W(against.n_W),
       e1_W(against.e1_W),
       e2_W(against.e2_W),
       v_W(at.p_W / on.mass),
       w_W(rotate(at.q_WP, angularVelocity(on.inv_I, at.L_P))),
-      height(n_W.dot(at.x_W - against.half_space.origin_W)),
+      height(n_W.dot(at.x_W - o_W)),
       height_low(n_W.dot(at.x_low_W)) {}
 
 Patch::Now Patch::now(const Pose& pose, const double* own) const {
@@ -41,8 +43,7 @@ Patch::Now Patch::now(const Pose& pose, const double* own) const {
   const PlanePoints points = planePoints(feature_, pose.state.q_WP, pose.n_W);
   for (std::size_t j = 0; j < now.count; ++j) {
     now.arm_W[j] = points.arm_W[j];
-    // the large parts first: near a touch they cancel, and the small one keeps its digits
-    now.point[j].depth = -(pose.height + points.height[j]) - pose.height_low;
+    now.point[j].depth = pose.depthAt(points.height[j]);
     now.point[j].rate = -pose.n_W.dot(pose.v_W + pose.w_W.cross(points.rate_arm_W[j]));
     now.point[j].clipped = (now.mode & (kClips << j)) != 0;
     if (now.mode & (kTouches << j)) now.normal += now.point[j].force(c_);
@@ -198,12 +199,28 @@ double Patch::longestStep(const Pose& pose, const double* own, double precision)
   return longest;
 }
 
+/// Of a patch that does not touch, by its depths alone. False where those do not tell.
+bool Patch::setGuardsApart(const Pose& pose, double depth_rounding, double* guards) const {
+  const PlanePoints points = planePoints(feature_, pose.state.q_WP, pose.n_W);
+  for (std::size_t j = 0; j < feature_.pointCount(); ++j) {
+    const double depth = pose.depthAt(points.height[j]);
+    if (!(std::abs(depth) > depth_rounding)) return false;
+    guards[2 * j] = -depth;
+  }
+  return true;
+}
+
 void Patch::setGuards(const Pose& pose, const double* own, double* guards) const {
-  const Now at = now(pose, own);
   std::fill_n(guards, guardCount(), 1.0);
+  const double depth_rounding = kDepthRounding * (pose.size() + reach_);
+  if (!touches(modeOf(own)) && setGuardsApart(pose, depth_rounding, guards)) return;
+  const Now at = now(pose, own);
+  const auto rateRounding = [&] {
+    return kDepthRounding * (pose.v_W.norm() + reach_ * pose.w_W.norm());
+  };
   for (std::size_t j = 0; j < at.count; ++j) {
     const bool touching = (at.mode & (kTouches << j)) != 0;
-    guards[2 * j] = at.point[j].touchGuard(touching);
+    guards[2 * j] = at.point[j].touchGuard(touching, depth_rounding, rateRounding);
     guards[2 * j + 1] = at.point[j].pushGuard(c_, touching);
   }
   if (!touches(at.mode)) return;

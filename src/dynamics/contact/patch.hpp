@@ -32,7 +32,10 @@ class Patch {
 
   /// The same feature, in a principal frame that has moved in the body. The lever of rolling
   /// friction stays.
-  void setFeature(const Feature& feature) { feature_ = feature; }
+  void setFeature(const Feature& feature) {
+    feature_ = feature;
+    reach_ = feature.reach();
+  }
 
   /// Modes. Bit j: point j touches; 4 + j: it would pull; then: the bristles slip.
   enum Mode : unsigned { kTouches = 1, kClips = 16, kSlips = 256, kSpins = 512, kRolls = 1024 };
@@ -44,12 +47,19 @@ class Patch {
   struct Pose {
     const Body& body;
     const BodyState& state;
-    const Vector3d &n_W, &e1_W, &e2_W;  ///< axes of the plane
-    Vector3d v_W, w_W;                  ///< of the body [m/s], [rad/s]
-    double height;                      ///< [m] of the centre of mass; its small part apart
+    const Vector3d &o_W, &n_W, &e1_W, &e2_W;  ///< a point of the plane, and its axes
+    Vector3d v_W, w_W;                        ///< of the body [m/s], [rad/s]
+    double height;                            ///< [m] of the centre of mass; its small part apart
     double height_low;
 
     Pose(const Body& on, const BodyState& at, const Plane& against);
+
+    /// [m] Of a point at a height from the centre of mass. The large parts first: near a touch they
+    /// cancel, and the small one keeps its digits.
+    double depthAt(double point_height) const { return -(height + point_height) - height_low; }
+
+    /// [m] Of the terms that the height of the centre of mass is a sum of.
+    double size() const { return n_W.cwiseAbs().dot((state.x_W - o_W).cwiseAbs()); }
   };
 
   /// All that forces, rates and guards follow from.
@@ -96,12 +106,14 @@ class Patch {
   void addWrenchOf(const Pose& pose, const Now& now, const double* own, Wrench& wrench) const;
   void setRatesOf(const Now& now, const double* own, double* rates) const;
   bool holdsSpin(const Now& now, const double* own, const Stray& stray, double loss) const;
+  bool setGuardsApart(const Pose& pose, double depth_rounding, double* guards) const;
   void placeFriction(const Pose& pose, Now& now) const;
   bool spins() const { return bristle_.exists() && feature_.kind == Feature::Kind::kRim; }
 
   Feature feature_;
   ContactParameters c_;
   double mass_, lever_;
+  double reach_;  // [m] of the feature
   Bristle bristle_, spinning_, rolling_;
 };
 

@@ -1,8 +1,17 @@
 #include <rigid_body_sim/dynamics/buoyancy.hpp>
 
+#include "dynamics/laws/law_rules.hpp"
 #include "dynamics/laws/medium_load.hpp"
 
 namespace rigid_body_sim {
+
+Buoyancy::Buoyancy(std::size_t body, double displaced, const Vector3d& centroid_P,
+                   const Vector3d& g_W)
+    : body_(body), displaced_(displaced), centroid_P_(centroid_P), g_W_(g_W) {
+  requireNotNegative("buoyancy", "the mass displaced must be >= 0 kg", displaced);
+  requireFinite("buoyancy", "the centroid", centroid_P);
+  requireFinite("buoyancy", "gravity", g_W);
+}
 
 std::shared_ptr<const ForceLaw> Buoyancy::reindexed(
     const std::function<std::size_t(std::size_t)>& index) const {

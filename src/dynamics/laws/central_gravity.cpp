@@ -2,7 +2,15 @@
 
 #include <rigid_body_sim/dynamics/central_gravity.hpp>
 
+#include "dynamics/laws/law_rules.hpp"
+
 namespace rigid_body_sim {
+
+CentralGravity::CentralGravity(std::size_t body, const Vector3d& center_W, double mu, bool gradient)
+    : body_(body), gravity_{center_W, mu}, gradient_(gradient) {
+  requireFinite("central gravity", "center", center_W);
+  requirePositive("central gravity", "mu must be > 0 m^3/s^2", mu);
+}
 
 std::shared_ptr<const ForceLaw> CentralGravity::reindexed(
     const std::function<std::size_t(std::size_t)>& index) const {

@@ -4,6 +4,7 @@
 #include <rigid_body_sim/dynamics/drag.hpp>
 
 #include "dynamics/laws/drag_flow.hpp"
+#include "dynamics/laws/law_rules.hpp"
 #include "dynamics/laws/medium_load.hpp"
 #include "dynamics/rotation/free_motion.hpp"
 
@@ -66,6 +67,13 @@ Vector3d relaxedMomentumOf(const Drag::Coefficients& drag, double mass, const Ve
 }
 
 }  // namespace
+
+Drag::Drag(std::size_t body, const Coefficients& coefficients)
+    : body_(body), coefficients_(coefficients) {
+  requireNotNegative("drag", "linear must be >= 0 N s/m", coefficients.linear);
+  requireNotNegative("drag", "quadratic must be >= 0 N s^2/m^2", coefficients.quadratic);
+  requireNotNegative("drag", "angular must be >= 0 N m s", coefficients.angular);
+}
 
 std::shared_ptr<const ForceLaw> Drag::reindexed(
     const std::function<std::size_t(std::size_t)>& index) const {

@@ -70,7 +70,7 @@ template <class T>
 RIGID_BODY_SIM_INLINE Triple<T> relaxedByMeanSpeed(const DragNumbers<T>& drag, const T& mass,
                                                    const Triple<T>& p, const Triple<T>& f,
                                                    double h) {
-  constexpr int kMost = 8;
+  constexpr int kMax = 8;
   constexpr double kClose = 1e-11, kNoMomentum = 1e-300;
   const T inv_mass = 1.0 / mass, per_mass = h * inv_mass;
   const T speed = inv_mass * squareRoot(dot(p, p));
@@ -79,7 +79,7 @@ RIGID_BODY_SIM_INLINE Triple<T> relaxedByMeanSpeed(const DragNumbers<T>& drag, c
   const Triple<T> guess = T(1.0 - (drag.linear + drag.quadratic * speed) * per_mass) * p + h * f;
   T v = 0.5 * (speed + inv_mass * squareRoot(dot(guess, guess)));
   T left, goes_on = T(1.0);
-  for (int k = 0; k < kMost && anyNonZero(goes_on); ++k) {
+  for (int k = 0; k < kMax && anyNonZero(goes_on); ++k) {
     const T x = (drag.linear + drag.quadratic * v) * per_mass;
     const Triple<T> after = relaxedBySmall(p, f, x, h, left);
     const T size = squareRoot(dot(after, after));

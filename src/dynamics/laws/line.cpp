@@ -1,5 +1,6 @@
 #include "dynamics/laws/line.hpp"
 
+#include "dynamics/laws/law_rules.hpp"
 #include "dynamics/laws/mobility.hpp"
 
 namespace rigid_body_sim {
@@ -10,6 +11,12 @@ double mobility(const Spring::End& end, const std::vector<const Body*>& bodies) 
 }
 
 }  // namespace
+
+void checkEnds(const char* law, const LineEnds& ends) {
+  require(ends[0].body != ends[1].body, "law '", law,
+          "': its ends must be on two bodies, or on one and in the world");
+  for (const Spring::End& end : ends) requireFinite(law, "the points of its ends", end.point);
+}
 
 std::vector<std::size_t> membersOf(const LineEnds& ends) {
   std::vector<std::size_t> bodies;

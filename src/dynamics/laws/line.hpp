@@ -65,6 +65,9 @@ inline void addTension(const LineEnds& ends, const Line& line, double tension,
   }
 }
 
+/// Throws std::invalid_argument for ends on one body, and for points that are not finite.
+void checkEnds(const char* law, const LineEnds& ends);
+
 /// Indices of the bodies at the ends.
 std::vector<std::size_t> membersOf(const LineEnds& ends);
 

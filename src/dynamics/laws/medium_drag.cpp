@@ -3,6 +3,7 @@
 
 #include <rigid_body_sim/dynamics/medium_drag.hpp>
 
+#include "dynamics/laws/law_rules.hpp"
 #include "dynamics/laws/medium_load.hpp"
 #include "dynamics/laws/mobility.hpp"
 
@@ -29,7 +30,23 @@ Vector3d dragTorque(const MediumDrag::Coefficients& c, const Vector3d& w_P) {
          c.R_PD * c.angular.axes.cwiseProduct(Vector3d(c.R_PD.transpose() * w_P));
 }
 
+void checkKey(const char* rule, const MediumDrag::Key& key) {
+  requireNotNegative("drag", rule, key.alike);
+  for (int i = 0; i < 3; ++i) requireNotNegative("drag", rule, key.axes(i));
+}
+
 }  // namespace
+
+MediumDrag::MediumDrag(std::size_t body, const Coefficients& coefficients, const Vector3d& medium_W)
+    : body_(body), coefficients_(coefficients), medium_W_(medium_W) {
+  checkKey("linear must be >= 0 N s/m", coefficients.linear);
+  checkKey("quadratic must be >= 0 N s^2/m^2", coefficients.quadratic);
+  checkKey("angular must be >= 0 N m s", coefficients.angular);
+  requireFinite("drag", "its center", coefficients.center_P);
+  requireFinite("drag", "the velocity of the medium", medium_W);
+  require((coefficients.R_PD * coefficients.R_PD.transpose()).isIdentity(1e-6),
+          "law 'drag': its axes must be unit and at right angles");
+}
 
 std::shared_ptr<const ForceLaw> MediumDrag::reindexed(
     const std::function<std::size_t(std::size_t)>& index) const {

@@ -1,5 +1,6 @@
 #include <rigid_body_sim/dynamics/spring.hpp>
 
+#include "dynamics/laws/law_rules.hpp"
 #include "dynamics/laws/line.hpp"
 
 namespace rigid_body_sim {
@@ -11,6 +12,14 @@ double tensionOf(const Spring::Constants& constants, const Line& line) {
 }
 
 }  // namespace
+
+Spring::Spring(const End& from, const End& to, const Constants& constants)
+    : ends_{from, to}, constants_(constants) {
+  checkEnds("spring", ends_);
+  requireNotNegative("spring", "stiffness must be >= 0 N/m", constants.stiffness);
+  requireNotNegative("spring", "damping must be >= 0 N s/m", constants.damping);
+  requireNotNegative("spring", "rest_length must be >= 0 m", constants.rest_length);
+}
 
 std::vector<std::size_t> Spring::members() const { return membersOf(ends_); }
 

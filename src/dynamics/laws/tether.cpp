@@ -3,6 +3,7 @@
 
 #include <rigid_body_sim/dynamics/tether.hpp>
 
+#include "dynamics/laws/law_rules.hpp"
 #include "dynamics/laws/line.hpp"
 #include "dynamics/laws/turning_bound.hpp"
 
@@ -15,6 +16,14 @@ double unclippedPull(const Tether::Constants& constants, const Line& line) {
 }
 
 }  // namespace
+
+Tether::Tether(const Spring::End& from, const Spring::End& to, const Constants& constants)
+    : ends_{from, to}, constants_(constants) {
+  checkEnds("tether", ends_);
+  requirePositive("tether", "stiffness must be > 0 N/m", constants.stiffness);
+  requireNotNegative("tether", "damping must be >= 0 N s/m", constants.damping);
+  requirePositive("tether", "length must be > 0 m", constants.length);
+}
 
 std::vector<std::size_t> Tether::members() const { return membersOf(ends_); }
 

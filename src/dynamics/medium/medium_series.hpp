@@ -18,7 +18,7 @@ struct MediumEquations {
   Vector3d f_P = Vector3d::Zero();      ///< [N] fixed in the body
   Vector3d tau_W = Vector3d::Zero();    ///< [N m] fixed in the world
   Vector3d tau_P = Vector3d::Zero();    ///< [N m] fixed in the body
-  Matrix3d moments = Matrix3d::Zero();  ///< [N m] Σ arm_P force_Wᵀ of levers
+  Matrix3d moments = Matrix3d::Zero();  ///< [N m] Σ arm_P force_Wᵀ of body points
   Vector3d pull_W = Vector3d::Zero();   ///< [N] sum of the forces at points of the world
   double rate = 1;                      ///< [1/s] the unit of time is 1/rate
   bool drops_quadratic = false;         ///< quadratic drag, alike in all directions, is left out

@@ -17,7 +17,7 @@ const std::vector<Method>& catalogue() {
   constexpr unsigned kMotors = kThrust | kSpin;
   // clang-format off
   static const std::vector<Method> methods{
-      // name               order free eval turn  cost  claims           accepts  step
+      // name               order free eval turn  cost  claims           supports step
       {"semi_implicit_euler", 1, 1,  1, 0.8,  0.9, kKeepsFreeL | kFeedsLeastAxis, kAll | kThrust, semiImplicitEulerStep},
       {"strang",              2, 2,  1, 0.8,  1,   kGeometric, kUndamped | kThrust, strangStep},
       {"magnus4",             2, 4,  1, 0.4,  1,   kKeepsFreeL, kUndamped | kThrust, magnus4Step},

@@ -56,6 +56,7 @@ void requireSupport(const Method& method, unsigned needs, const std::string& bod
 /// The method of that name. Throws std::invalid_argument that lists the names there are.
 const Method& methodNamed(const std::string& name);
 
+/// The steps of the entries, by their names; each file says what its integrator does.
 void semiImplicitEulerStep(const System&, double h, SystemState&, Workspace&);
 void strangStep(const System&, double h, SystemState&, Workspace&);
 void magnus4Step(const System&, double h, SystemState&, Workspace&);

@@ -4,10 +4,10 @@
 
 namespace rigid_body_sim {
 
-/// Takes a step of h by an integrator that estimates its error: in equal parts where the estimate
-/// says that it cannot follow so long a step, and where it exceeds workspace.step_bound, until
-/// shorter ones no longer help: rounding dominates. Where a force jumps, as that of a spring whose
-/// ends pass through one another, the parts are short there alone. Throws StepTooLong.
+/// Takes a step of h by an integrator that estimates its error: in equal substeps where the
+/// estimate says that it cannot follow so long a step, and where it exceeds workspace.step_bound,
+/// until shorter ones no longer help: rounding dominates. Where a force jumps, as that of a spring
+/// whose ends pass through one another, the substeps are short there alone. Throws StepTooLong.
 void takeControlledStep(const Method& method, const System& system, double h, SystemState& states,
                         Workspace& workspace);
 

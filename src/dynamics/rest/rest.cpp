@@ -8,7 +8,8 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr std::size_t kMostBodies = 24;  // of which modes of vibration are found in milliseconds
+constexpr std::size_t kMaxRestingBodies =
+    24;  // of which modes of vibration are found in milliseconds
 
 /// Whether it does no work on a body that comes back to where it was.
 bool isConservative(const HeldWrench& held) {
@@ -57,7 +58,7 @@ std::vector<Stray> straysFrom(const System& system, const Equilibrium& equilibri
 
 /// What costs little to exclude most states.
 bool RestSearch::mayRest(const System& system, const SystemState& states, double fastest) const {
-  if (system.bodies.size() > kMostBodies || !system.coupled.empty()) return false;
+  if (system.bodies.size() > kMaxRestingBodies || !system.coupled.empty()) return false;
   if (!system.pivots.empty()) return false;  // the equilibrium is that of bodies that may move
   if (!std::all_of(system.held.begin(), system.held.end(), isConservative)) return false;
   for (std::size_t k = 0; k < system.bodies.size(); ++k) {

@@ -1,13 +1,14 @@
 #include "dynamics/run/check_input.hpp"
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
 
 #include <rigid_body_sim/dynamics/drag.hpp>
 
-#include "dynamics/run/require.hpp"
+#include "dynamics/require.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -72,6 +73,14 @@ void checkIndex(const World& world, std::size_t body) {
   require(body < world.bodies.size(), "no body has the index ", body);
 }
 
+void checkTimeWithinStep(const World& world, double now, double t) {
+  const double h = world.solver.time_step;
+  const double rounding = 1e-6 * h + 4 * std::numeric_limits<double>::epsilon() * now;
+  require(t >= now - rounding && t <= now + h + rounding,
+          "a time must be between now and the next step, from ", shortest(now), " to ",
+          shortest(now + h), " s", Got{t});
+}
+
 void checkBody(const World& world, std::size_t body) {
   checkIndex(world, body);
   require(!world.bodies[body].fixed, "body '", world.bodies[body].name,
@@ -88,7 +97,10 @@ void checkWorld(const World& world) {
                            body.I.allFinite() && body.inv_I.allFinite()),
             "body '", body.name, "': mass and principal moments must be > 0 and finite");
   TakenPlaces taken;
-  for (const auto& law : world.laws) checkLaw(world, *law, taken);
+  for (const auto& law : world.laws) {
+    require(law != nullptr, "a law must not be null");
+    checkLaw(world, *law, taken);
+  }
   for (const PointWrench& wrench : world.wrenches) checkWrench(world, wrench);
   for (const Body& body : world.bodies) checkActuators(body);
   for (const ActuatorCommand& command : world.commands) checkCommand(world, command);
@@ -104,17 +116,21 @@ void requireFiniteEnergy(const Body& body, const BodyState& state) {
           "': its kinetic energy must be a finite number; its velocities are too great");
 }
 
+void checkPose(const std::string& body, const BodyState& s) {
+  require(s.x_W.allFinite() && s.x_low_W.allFinite(), "body '", body, "': position must be finite");
+  const double norm = s.q_WP.norm();
+  require(std::abs(norm - 1) < 1e-6, "body '", body,
+          "': attitude must be a unit quaternion: norm 1", Got{norm});
+}
+
 void checkBodyState(const World& world, std::size_t index, const BodyState& s) {
   checkBody(world, index);
   const std::string& body = world.bodies[index].name;
-  require(s.x_W.allFinite() && s.x_low_W.allFinite(), "body '", body, "': position must be finite");
+  checkPose(body, s);
   require(s.p_W.allFinite() && s.L_W.allFinite() && s.L_P.allFinite(), "body '", body,
           "': momenta must be finite");
   require(!world.bodies[index].pivoted || s.p_W.isZero(0), "body '", body,
           "': p_W must be zero, for it is on a pivot and its state is its rotation alone");
-  const double norm = s.q_WP.norm();
-  require(std::abs(norm - 1) < 1e-6, "body '", body,
-          "': attitude must be a unit quaternion: norm 1", Got{norm});
 }
 
 void checkCommand(const World& world, const ActuatorCommand& command) {

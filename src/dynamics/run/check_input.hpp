@@ -16,6 +16,12 @@ void checkIndex(const World& world, std::size_t body);
 /// A body of the world that is not fixed.
 void checkBody(const World& world, std::size_t body);
 
+/// A time [s] for which the next step is asked.
+void checkTimeWithinStep(const World& world, double now, double t);
+
+/// Of any body, one that is fixed, too.
+void checkPose(const std::string& body, const BodyState& state);
+
 void checkBodyState(const World& world, std::size_t body, const BodyState& state);
 
 /// What comes from outside while a run goes on must not make its totals infinite.

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "dynamics/max_steps.hpp"
+#include "dynamics/require.hpp"
 #include "dynamics/run/check_input.hpp"
-#include "dynamics/run/require.hpp"
 
 /// The rules of a state from which a run begins.
 namespace rigid_body_sim {
@@ -48,7 +48,7 @@ void checkLawStates(const World& world, const State& state) {
   const double* own = state.laws.data();
   for (std::size_t law = 0; law < world.laws.size() && !state.laws.empty(); ++law) {
     require(world.laws[law]->stateCount() == 0 || world.laws[law]->admits(own), "law ", law, " (",
-            world.laws[law]->name(), "): its states must tell one of its modes");
+            world.laws[law]->name(), "): its states must be those of one of its modes");
     own += world.laws[law]->stateCount();
   }
 }
@@ -115,7 +115,10 @@ void checkState(const World& world, const State& state) {
   checkAnchors(world, state);
   checkPlans(world, state);
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
-    if (moves(world.bodies[i])) checkBodyState(world, i, state.bodies[i]);
+    if (moves(world.bodies[i]))
+      checkBodyState(world, i, state.bodies[i]);
+    else if (!world.bodies[i].absent)
+      checkPose(world.bodies[i].name, state.bodies[i]);
 }
 
 }  // namespace rigid_body_sim

@@ -14,7 +14,7 @@ namespace rigid_body_sim {
 namespace {
 
 /// Steps and evaluations of a body for all trials of a scene: tenths of a second.
-constexpr double kMostWork = 5e5;
+constexpr double kMaxTrialWork = 5e5;
 
 /// Of the time up to the horizon: what is known of less is no reason to make every step dearer.
 constexpr double kLeastShare = 0.1;
@@ -77,7 +77,8 @@ ContactTrial follow(Run run, double bound, double& work) {
   ContactTrial trial{bound, std::numeric_limits<double>::infinity(), pair.time(), true};
   double begin = pair.time();
   try {
-    for (double part = 1; pair.time() < solver.horizon && work + pair.work() < kMostWork; ++part) {
+    for (double part = 1; pair.time() < solver.horizon && work + pair.work() < kMaxTrialWork;
+         ++part) {
       if (part < parts) {
         pair.step(begin + h * part / parts);
       } else {
@@ -94,7 +95,7 @@ ContactTrial follow(Run run, double bound, double& work) {
     work += pair.work();
   } catch (const SimulationDiverged&) {
     // so will the run itself, and say so; or a step takes more work than there is
-    work = kMostWork;
+    work = kMaxTrialWork;
   }
   return trial;
 }
@@ -113,9 +114,9 @@ ContactTrial tryContact(const Run& run) {
   const double start = run.now().time, horizon = run.now().world->solver.horizon;
   ContactTrial found = run.contactTrial();
   double bound = found.step_bound;
-  for (double work = 0; work < kMostWork;) {
+  for (double work = 0; work < kMaxTrialWork;) {
     Run tried = run;
-    tried.limitContactWork(kMostWork - work);
+    tried.limitContactWork(kMaxTrialWork - work);
     tried.boundContact({bound});
     const ContactTrial trial = follow(std::move(tried), bound, work);
     const bool tells_little = trial.tried_until - start < kLeastShare * (horizon - start);

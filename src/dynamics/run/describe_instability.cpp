@@ -46,11 +46,11 @@ double turnBetween(const World& world, const State& start, const State& end) {
 
 /// Whether a second run is a matter of a tenth of a second, of steps and pieces of series.
 bool isCheap(const Simulation& simulation, const State& start) {
-  constexpr double kMostSteps = 1e5, kMostTurn = 1e5;
+  constexpr double kMaxTriedSteps = 1e5, kMaxTriedTurn = 1e5;
   const World& world = simulation.world();
   const double steps = (simulation.time() - start.t) / world.solver.time_step;
-  return steps * static_cast<double>(world.bodies.size()) <= kMostSteps && world.laws.empty() &&
-         turnBetween(world, start, simulation.state()) <= kMostTurn;
+  return steps * static_cast<double>(world.bodies.size()) <= kMaxTriedSteps && world.laws.empty() &&
+         turnBetween(world, start, simulation.state()) <= kMaxTriedTurn;
 }
 
 }  // namespace

@@ -46,11 +46,13 @@ std::set<std::size_t> bodiesInMedium(const World& world) {
   return in_medium;
 }
 
-/// Names of the laws on each body, each name once; one pass over the laws of the world.
-std::vector<std::vector<std::string>> lawNames(const World& world) {
+/// Names of the laws on each body, each name once; one pass over the laws of the world. which: of
+/// all laws, or of those alone that begin to act somewhere.
+enum class Which { kAll, kOneSided };
+std::vector<std::vector<std::string>> lawNames(const World& world, Which which) {
   std::vector<std::vector<std::string>> names(world.bodies.size());
   for (const auto& law : world.laws) {
-    if (rests(*law, world)) continue;
+    if (rests(*law, world) || (which == Which::kOneSided && !law->isOneSided())) continue;
     for (std::size_t body : law->members()) {
       std::vector<std::string>& of_body = names[body];
       if (std::find(of_body.begin(), of_body.end(), law->name()) == of_body.end())
@@ -93,6 +95,14 @@ std::string stepText(double h) {
   text.precision(3);
   text << (h < 1 ? 1e3 * h : h) << (h < 1 ? " ms" : " s");
   return text.str();
+}
+
+/// How a body that is solved goes on once one of these laws acts: MethodPlanner::later.
+std::string onceActs(const std::vector<std::string>& laws) {
+  if (laws.empty()) return "";
+  std::string names = laws.front();
+  for (std::size_t i = 1; i < laws.size(); ++i) names += " or " + laws[i];
+  return "; once " + names + " acts, dop853 by its own error estimates";
 }
 
 /// "asymmetric, exact", "Taylor", "dop853 in steps of 1 ms", or in substeps, see describeSolution
@@ -140,7 +150,7 @@ std::string contactText(const Simulation& simulation) {
   if (trial.is_made && !trial.compares) {
     text << "contact: whether tolerance " << solver.tolerance
          << " holds is not known: the work of a trial ended before there was anything to compare; "
-            "a shorter time_step or horizon, or a lower stiffness, lets it tell";
+            "try a shorter time_step or horizon, or a lower stiffness";
     return text.str();
   }
   const double tighter = contactStepBound(solver.tolerance) / trial.step_bound;
@@ -178,9 +188,9 @@ double magnificationOf(const Body& body, const BodyState& start, double duration
 /// What the free rotation of a body that is solved has magnified since its anchor, where that is
 /// much: no digit is lost on the way, but those of its start are spread out.
 std::string magnificationOfSolved(const Simulation& simulation) {
-  constexpr std::size_t kMost = 100;  // bodies: the node asks once a second
+  constexpr std::size_t kMax = 100;  // bodies: the node asks once a second
   const World& world = simulation.world();
-  if (world.bodies.size() > kMost) return "";
+  if (world.bodies.size() > kMax) return "";
   const State state = simulation.state();
   const auto wrenches = wrenchesByBody(world, state);
   const std::set<std::size_t> in_medium = bodiesInMedium(world);
@@ -202,7 +212,7 @@ std::string magnificationOfSolved(const Simulation& simulation) {
   return magnifiedText(world.bodies[which], most);
 }
 
-/// A line for each body, or, of very many, for neighbours of which the same is to be said.
+/// A line for each body, or, of very many, for neighbours with the same line.
 std::vector<std::string> linesOf(const World& world, const std::vector<std::string>& texts) {
   constexpr std::size_t kMany = 40;
   std::vector<std::string> lines;
@@ -222,14 +232,14 @@ std::vector<std::string> linesOf(const World& world, const std::vector<std::stri
 
 std::string magnifiedText(const Body& body, double magnification) {
   return "the motion of body '" + body.name +
-         "' magnifies a difference at its start, rounding, too, 10^" +
+         "' has magnified differences of its start, rounding among them, 10^" +
          std::to_string(std::llround(std::log10(magnification))) +
-         " times by now: it is that of its start to the last digit, and no body starts so exactly";
+         " times by now: it is exact for this start, but no real body starts so exactly";
 }
 
 std::vector<std::string> describeSolution(const Simulation& simulation) {
   const World& world = simulation.world();
-  const auto laws = lawNames(world);
+  const auto laws = lawNames(world, Which::kAll), one_sided = lawNames(world, Which::kOneSided);
   const auto wrenches = wrenchesByBody(world, simulation.state());
   const std::set<std::size_t> in_medium = bodiesInMedium(world);
   std::vector<std::string> texts, shortfalls;
@@ -239,7 +249,8 @@ std::vector<std::string> describeSolution(const Simulation& simulation) {
       texts[i] =
           whatActs(world, world.bodies[i], laws[i], !wrenches[i].empty()) + ", " +
           howSolved(world, world.bodies[i], plan,
-                    leaveFree(world, world.bodies[i], wrenches[i]) && in_medium.count(i) == 0);
+                    leaveFree(world, world.bodies[i], wrenches[i]) && in_medium.count(i) == 0) +
+          (plan.integrator.empty() ? onceActs(one_sided[i]) : "");
     if (!plan.holds) shortfalls.push_back(shortfall(world, plan));
   }
   std::vector<std::string> lines = linesOf(world, texts);
@@ -266,8 +277,7 @@ std::string describeMagnification(const Simulation& simulation) {
          " has magnified what a body turns about its axis of least inertia 10^" +
          std::to_string(std::llround(digits)) +
          " times, rounding, too, so that the motion may be wrong: take another integrator, or a "
-         "far "
-         "smaller time_step";
+         "far smaller time_step";
 }
 
 std::string describePromise(const Simulation& simulation) {
@@ -276,8 +286,7 @@ std::string describePromise(const Simulation& simulation) {
   std::ostringstream text;
   text << "from " << lost_at << " s on, tolerance " << simulation.world().solver.tolerance
        << " is not certain to be held: a second run, at looser bounds of its steps, differs from "
-          "this "
-          "one by more than that";
+          "this one by more than that";
   return text.str();
 }
 

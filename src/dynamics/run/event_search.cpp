@@ -8,6 +8,10 @@
 namespace rigid_body_sim {
 namespace {
 
+bool anyBelow(const std::vector<double>& guards) {
+  return std::any_of(guards.begin(), guards.end(), [](double guard) { return guard < 0; });
+}
+
 double potentialOf(const ForceLaw& law, const ForceLaw::Bodies& at) {
   return law.acts(at.own) ? law.potentialEnergy(at) : 0;
 }
@@ -24,36 +28,28 @@ void EventSearch::setGuards(const System& system, const SystemState& states,
   });
 }
 
-bool EventSearch::anyBelow(const System& system, const SystemState& states) {
-  setGuards(system, states, guards_);
-  return std::any_of(guards_.begin(), guards_.end(), [](double guard) { return guard < 0; });
-}
-
 /// A time at which a guard is below zero; else the end. trial_ and guards_ are of that time. By the
 /// motion itself at quarters of the piece and, where a guard comes near zero, at eighths and at the
 /// vertex of the parabola through the least of these and its neighbours. cubic: in its place, where
 /// that is not null, and the motion only where it is below zero or nearly so.
-double EventSearch::suspected(const MotionPiece& piece, const SystemState& at_start,
-                              const SystemState& at_end, const CubicBetween* cubic) {
-  constexpr std::size_t kParts = 8;
+double EventSearch::suspected(const MotionPiece& piece, const CubicBetween* cubic) {
   const double part = (piece.end() - piece.start()) / kParts;
-  samples_.resize(kParts + 1);
-  setGuards(piece.system(), at_start, samples_.front());
-  setGuards(piece.system(), at_end, samples_.back());
   const auto isBelowAt = [&](double parts) {
     piece.at(piece.start() + parts * part, trial_);
-    return anyBelow(piece.system(), trial_);
+    setGuards(piece.system(), trial_, guards_);
+    return anyBelow(guards_);
   };
   const auto seemsBelowAt = [&](double parts) {
     if (!cubic) return isBelowAt(parts);
     cubic->at(parts / kParts, trial_);
-    return anyBelow(piece.system(), trial_);
+    setGuards(piece.system(), trial_, guards_);
+    return anyBelow(guards_);
   };
   for (const std::size_t k : {2, 4, 6, 1, 3, 5, 7}) {
-    if (k == 1 && !comeNear({0, 2, 4, 6, 8})) return piece.end();
+    if (k == 1 && !comesNear()) return piece.end();
     const auto parts = static_cast<double>(k);
     const bool seems_below = seemsBelowAt(parts);
-    samples_[k] = guards_;
+    std::swap(samples_[k], guards_);
     if (seems_below && (!cubic || isBelowAt(parts))) return piece.start() + parts * part;
   }
   for (std::size_t i = 0; i < samples_.front().size(); ++i) {
@@ -77,26 +73,40 @@ bool EventSearch::isNearZero(std::size_t i, double least) const {
   return least < kCubicErrs * greatest;
 }
 
-/// Whether a guard falls below half of its greatest value among those samples.
-bool EventSearch::comeNear(std::initializer_list<std::size_t> samples) const {
-  constexpr double kNear = 0.5;
+/// Whether a guard may come near zero, by its samples at quarters of the piece: where it falls
+/// below half of the greatest of them, the quartic through them tells whether it falls below a
+/// fifth at eighths. Else that cannot be.
+bool EventSearch::comesNear() const {
+  constexpr double kNear = 0.2, kMayComeNear = 0.5;
   for (std::size_t i = 0; i < samples_.front().size(); ++i) {
-    double least = std::numeric_limits<double>::infinity(), greatest = 0;
-    for (const std::size_t k : samples) {
-      least = std::min(least, samples_[k][i]);
-      greatest = std::max(greatest, samples_[k][i]);
-    }
-    if (least < kNear * greatest) return true;
+    const double a = samples_[0][i], b = samples_[2][i], c = samples_[4][i], d = samples_[6][i],
+                 e = samples_[8][i];
+    const double least = std::min({a, b, c, d, e}), greatest = std::max({a, b, c, d, e});
+    if (!(least < kMayComeNear * greatest)) continue;
+    const double between = std::min({35 * a + 140 * b - 70 * c + 28 * d - 5 * e,
+                                     -5 * a + 60 * b + 90 * c - 20 * d + 3 * e,
+                                     3 * a - 20 * b + 90 * c + 60 * d - 5 * e,
+                                     -5 * a + 28 * b - 70 * c + 140 * d + 35 * e}) /
+                           128;
+    if (std::min(least, between) < kNear * greatest) return true;
   }
   return false;
 }
 
 double EventSearch::firstEvent(const MotionPiece& piece, const SystemState& at_start,
-                               SystemState& at_end, const CubicBetween* cubic) {
+                               SystemState& at_end, const CubicBetween* cubic, bool goes_on) {
   found_ = false;
+  samples_.resize(kParts + 1);
+  if (goes_on)
+    std::swap(samples_.front(), samples_.back());
+  else
+    setGuards(piece.system(), at_start, samples_.front());
+  setGuards(piece.system(), at_end, samples_.back());
   double after = piece.end();
-  if (!anyBelow(piece.system(), at_end)) {
-    after = suspected(piece, at_start, at_end, cubic);
+  if (anyBelow(samples_.back())) {
+    guards_ = samples_.back();
+  } else {
+    after = suspected(piece, cubic);
     if (after == piece.end()) return after;
     at_end = trial_;
   }
@@ -104,7 +114,7 @@ double EventSearch::firstEvent(const MotionPiece& piece, const SystemState& at_s
   scales_.resize(guards_.size());
   std::transform(guards_.begin(), guards_.end(), scales_.begin(),
                  [](double guard) { return guard < 0 ? -guard : 0; });
-  setGuards(piece.system(), at_start, guards_);
+  guards_ = samples_.front();
   return locate(piece, piece.start(), after, at_end);
 }
 

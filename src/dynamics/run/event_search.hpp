@@ -1,6 +1,5 @@
 #pragma once
 
-#include <initializer_list>
 #include <vector>
 
 #include "dynamics/run/cubic_between.hpp"
@@ -19,21 +18,22 @@ class EventSearch {
   /// precision; the end of the piece where none does. at_end: the states there; they become those
   /// at the instant. What falls below zero and rises again within an eighth of the piece is looked
   /// for by a parabola through the guard. cubic: what shows where to look at less cost; or null.
+  /// goes_on: whether the piece begins where the last one has ended without an event.
   double firstEvent(const MotionPiece& piece, const SystemState& at_start, SystemState& at_end,
-                    const CubicBetween* cubic = nullptr);
+                    const CubicBetween* cubic = nullptr, bool goes_on = false);
 
   /// Whether the last firstEvent found one.
   bool found() const { return found_; }
 
  private:
+  static constexpr std::size_t kParts = 8;  // of a piece, between which guards are looked at
+
   double locate(const MotionPiece& piece, double before, double after, SystemState& at_end);
   double lowest(const System& system, const SystemState& states);
   double lowestShare() const;
-  bool anyBelow(const System& system, const SystemState& states);
-  double suspected(const MotionPiece& piece, const SystemState& at_start, const SystemState& at_end,
-                   const CubicBetween* cubic);
+  double suspected(const MotionPiece& piece, const CubicBetween* cubic);
   bool isNearZero(std::size_t i, double least) const;
-  bool comeNear(std::initializer_list<std::size_t> samples) const;
+  bool comesNear() const;
 
   bool found_ = false;
   std::vector<double> guards_;

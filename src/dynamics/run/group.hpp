@@ -106,7 +106,7 @@ class Group {
   void goOnFrom(double t, const Packs::Stepped& stepped);
 
   /// Whether its motion is known beforehand: solved, or at rest.
-  bool isForeseen() const { return !choice().method || isAtRest(); }
+  bool isSolvedAhead() const { return !choice().method || isAtRest(); }
 
   /// See Stepper::setRoams; member by member.
   void setRoams(std::vector<Roam> roams) { stepper_->setRoams(std::move(roams)); }

@@ -43,8 +43,8 @@ std::optional<MotionBound> Group::motionBound(const std::vector<WrenchSchedule>&
   bound.a_W = system_.g_W + held.f_W / body.mass;
   bound.a_off = held.f_P.norm() / body.mass;
   bound.torque = held.tau_W.norm() + held.tau_P.norm();
-  for (const HeldWrench::BodyPointForce& lever : held.body_point_forces)
-    bound.torque += lever.arm_P.norm() * lever.force_W.norm();
+  for (const HeldWrench::BodyPointForce& applied : held.body_point_forces)
+    bound.torque += applied.arm_P.norm() * applied.force_W.norm();
   if (held.drive) {
     bound.a_off += held.drive->forceBound() / body.mass;
     bound.torque += held.drive->torqueBound();

@@ -57,9 +57,9 @@ class Groups {
   }
 
   /// Whether the motion of all bodies is known beforehand.
-  bool allForeseen() const {
+  bool allSolvedAhead() const {
     return std::all_of(groups_.begin(), groups_.end(),
-                       [](const Group& group) { return group.isForeseen(); });
+                       [](const Group& group) { return group.isSolvedAhead(); });
   }
 
   /// Group::knownUntil of group g; kNotKnown once it is forgotten.

@@ -23,9 +23,9 @@ bool acts(const LawWatch& watch, const RunState& run) {
 }
 
 /// Whether the motions of all its bodies are known beforehand.
-bool isForeseen(const LawWatch& watch, const Groups& groups) {
+bool isSolvedAhead(const LawWatch& watch, const Groups& groups) {
   return std::all_of(watch.members().begin(), watch.members().end(),
-                     [&](std::size_t body) { return groups.of(body).isForeseen(); });
+                     [&](std::size_t body) { return groups.of(body).isSolvedAhead(); });
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ void LawWatches::wakeUp(const std::vector<std::size_t>& bodies) {
 
 bool LawWatches::findCandidates(const RunState& run, double t_end, bool looks_ahead) {
   if (!pairs_.hasLaws()) return false;
-  const bool is_usable = !pairs_.lookedAhead() || (looks_ahead && run.groups.allForeseen());
+  const bool is_usable = !pairs_.lookedAhead() || (looks_ahead && run.groups.allSolvedAhead());
   if (t_end <= pairs_.until() && is_usable) return false;
   pairs_.sweep(*run.world, run.groups, run.schedules, run.time, t_end, looks_ahead);
   std::vector<LawWatch> found;
@@ -95,7 +95,7 @@ void LawWatches::restart(std::set<std::size_t> near) {
 bool LawWatches::isWatched(const LawWatch& watch, const RunState& run) const {
   if (acts(watch, run)) return false;
   const Group& group = run.groups.of(watch.members().front());
-  return group.isForeseen() || !group.follows(watch.law());
+  return group.isSolvedAhead() || !group.follows(watch.law());
 }
 
 void LawWatches::findQuiet(const RunState& run) {
@@ -146,7 +146,7 @@ std::optional<LawWatches::Event> LawWatches::eventOf(LawWatch& watch, const RunS
   double t = run.time;
   for (std::size_t body : watch.members()) t = std::max(t, run.groups.of(body).time());
   if (!(t < t_end)) return std::nullopt;
-  if (watch.members().size() > 1 && !isForeseen(watch, run.groups)) {
+  if (watch.members().size() > 1 && !isSolvedAhead(watch, run.groups)) {
     if (!isNear(watch, run, t, t_end)) return std::nullopt;
     return Event{&watch, t, true};
   }

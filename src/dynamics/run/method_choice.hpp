@@ -10,7 +10,7 @@ namespace rigid_body_sim {
 /// How bodies that act on one another are advanced; as MotionPlan, in the terms of the run.
 struct MethodChoice {
   const Method* method = nullptr;  ///< null: the motion is solved
-  int substeps = 1;                ///< equal parts in which each time step is taken, at least
+  int substeps = 1;                ///< equal substeps of each time step, at least
   double error = 0;                ///< what the trial found, as a share of the tolerance
   double max_turn_share = 1;       ///< of Method::max_turn that a substep may turn by
   bool holds = true;               ///< whether any integrator was found to hold the tolerance
@@ -21,7 +21,7 @@ struct MethodChoice {
                               ///< tolerance is held
   double contact_bound = 0;   ///< what the error estimate of a step in contact may reach; 0: as
                               ///< contactStepBound says
-  double contact_work = kMostContactWork;  ///< see mostContactWork
+  double contact_work = kMaxContactWork;  ///< see maxContactWork
   bool read_once = false;                  ///< of a solved motion: see SolvedProblem
 };
 

@@ -76,7 +76,7 @@ std::vector<Roam> roamsOf(const Group& group, const World& world, const std::vec
     const std::size_t body = group.members()[k];
     const Body& of = world.bodies[body];
     const BodyState s = group.at(t, k);
-    if (!group.isForeseen())
+    if (!group.isSolvedAhead())
       roams.push_back(watchedRoam(of, s, world.g_W.norm(), std::max(radius[body], 0.0), t_end - t));
     else if (bound && bound->until >= t_end)
       roams.push_back(boundedRoam(of, s, *bound, t_end - t));
@@ -110,7 +110,7 @@ PairSweep::PairSweep(const World& world, const LawTable& laws) {
 void PairSweep::sweep(const World& world, const Groups& groups,
                       const std::vector<WrenchSchedule>& schedules, double time, double t_end,
                       bool looks_ahead) {
-  looked_ahead_ = looks_ahead && groups.allForeseen();
+  looked_ahead_ = looks_ahead && groups.allSolvedAhead();
   until_ = looked_ahead_ ? std::max(t_end, time + window_) : t_end;
   for (const Group& group : groups.all()) {
     const std::vector<std::size_t>& members = group.members();
@@ -118,7 +118,7 @@ void PairSweep::sweep(const World& world, const Groups& groups,
     if (std::none_of(members.begin(), members.end(), isOfPair)) continue;
     const double t = std::max(time, group.time());
     const std::vector<Roam> roams =
-        group.isForeseen() || group.mayStop()
+        group.isSolvedAhead() || group.mayStop()
             ? roamsOf(group, world, table_->radius, t, until_, schedules)
             : triedRoams(group, table_->radius, t, until_, schedules);
     for (std::size_t k = 0; k < members.size(); ++k)

@@ -32,7 +32,7 @@ class Run {
   /// Begins anew at the start, with steps in contact bounded so.
   void boundContact(const ContactTrial& trial);
 
-  /// Lets a time step take no more work in contact than this; see mostContactWork.
+  /// Lets a time step take no more work in contact than this; see maxContactWork.
   void limitContactWork(double work);
 
   /// That trial; after load(), the bound of the state that was loaded.
@@ -125,6 +125,7 @@ class Run {
   ContactTrial contact_trial_;
   RunState now_;
   Grouping grouping_;
+  MethodPlanner::Trials start_trials_;  // while the world is not that of the start
   RunMotors motors_;
   RunContacts contacts_;
   StepRecord step_;

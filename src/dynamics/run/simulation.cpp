@@ -4,11 +4,11 @@
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
 #include "dynamics/contact/buried.hpp"
+#include "dynamics/require.hpp"
 #include "dynamics/run/check_input.hpp"
 #include "dynamics/run/contact_trial.hpp"
 #include "dynamics/run/parts.hpp"
 #include "dynamics/world_changes.hpp"
-#include "math/shortest.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -48,7 +48,11 @@ const World& Simulation::world() const { return *parts_->run.now().world; }
 std::size_t Simulation::worldChanges() const { return parts_->run.now().world_changes; }
 double Simulation::time() const { return parts_->run.now().time; }
 std::int64_t Simulation::steps() const { return parts_->run.now().steps; }
-BodyState Simulation::body(std::size_t body) const { return parts_->run.body(body); }
+
+BodyState Simulation::body(std::size_t body) const {
+  checkIndex(world(), body);
+  return parts_->run.body(body);
+}
 
 void Simulation::readBodies(std::vector<BodyState>& states) const {
   parts_->run.readBodies(states);
@@ -61,10 +65,16 @@ std::vector<BodyState> Simulation::bodies() const {
 }
 
 State Simulation::state() const { return parts_->run.state(); }
-State Simulation::sample(double t) const { return parts_->run.sample(t); }
+
+State Simulation::sample(double t) const {
+  checkTimeWithinStep(world(), time(), t);
+  return parts_->run.sample(t);
+}
 
 std::vector<BodyMotion> Simulation::motions(const std::vector<std::size_t>& bodies,
                                             double t) const {
+  checkTimeWithinStep(world(), time(), t);
+  for (std::size_t body : bodies) checkIndex(world(), body);
   return parts_->run.motions(bodies, t);
 }
 
@@ -79,6 +89,7 @@ void Simulation::step() {
 }
 
 void Simulation::step(std::int64_t count) {
+  require(count >= 0, "a number of steps must be >= 0, got ", std::to_string(count));
   if (!parts_->balance && !parts_->error) return parts_->run.step(count);
   for (std::int64_t k = 0; k < count; ++k) step();
 }
@@ -177,6 +188,7 @@ void Simulation::load(const State& state) {
 }
 
 bool Simulation::replaces(const std::string& slot, const PointWrench& wrench) const {
+  checkIndex(world(), wrench.body);
   return !slot.empty() && wrench.start <= time() &&
          parts_->run.now().schedules[wrench.body].holds(slot);
 }
@@ -188,14 +200,18 @@ std::size_t Simulation::wrenchCount() const {
 }
 
 std::size_t Simulation::wrenchCount(std::size_t body) const {
+  checkIndex(world(), body);
   return parts_->run.now().schedules[body].size();
 }
 
 const std::vector<PointWrench>& Simulation::activeWrenches(std::size_t body) const {
+  checkIndex(world(), body);
   return parts_->run.now().schedules[body].active();
 }
 
 std::vector<PointWrench> Simulation::activeWrenches(std::size_t body, double t) const {
+  checkIndex(world(), body);
+  checkTimeWithinStep(world(), time(), t);
   return parts_->run.now().schedules[body].activeAt(t);
 }
 

@@ -27,6 +27,7 @@ void Simulation::command(const ActuatorCommand& command) {
 }
 
 std::vector<ActuatorReading> Simulation::actuators(std::size_t body) const {
+  checkIndex(world(), body);
   std::vector<ActuatorReading> readings;
   const ActuatorSchedule* actuators = parts_->run.now().schedules[body].actuators();
   if (!actuators) return readings;

@@ -1,6 +1,7 @@
 #include "dynamics/run/solved_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include <rigid_body_sim/math/rotation.hpp>
@@ -32,11 +33,11 @@ bool isModest(const MediumLoad& load) {
 }
 
 bool isModest(const HeldWrench& wrench) {
-  const auto lever = [](const HeldWrench::BodyPointForce& l) {
-    return isModest(l.arm_P) && isModest(l.force_W);
+  const auto isModestOnBody = [](const HeldWrench::BodyPointForce& applied) {
+    return isModest(applied.arm_P) && isModest(applied.force_W);
   };
-  const auto pull = [](const HeldWrench::WorldPointForce& p) {
-    return isModest(p.point_W) && isModest(p.force_W);
+  const auto isModestInWorld = [](const HeldWrench::WorldPointForce& applied) {
+    return isModest(applied.point_W) && isModest(applied.force_W);
   };
   const auto isModestDrive = [](const ActuatorDrive& drive) {
     return drive.forceBound() < kModest && drive.torqueBound() < kModest && isModest(drive.H_0);
@@ -44,8 +45,10 @@ bool isModest(const HeldWrench& wrench) {
   return (!wrench.drive || isModestDrive(*wrench.drive)) &&
          (!wrench.medium || isModest(*wrench.medium)) && isModest(wrench.f_W) &&
          isModest(wrench.tau_W) && isModest(wrench.f_P) && isModest(wrench.tau_P) &&
-         std::all_of(wrench.body_point_forces.begin(), wrench.body_point_forces.end(), lever) &&
-         std::all_of(wrench.world_point_forces.begin(), wrench.world_point_forces.end(), pull);
+         std::all_of(wrench.body_point_forces.begin(), wrench.body_point_forces.end(),
+                     isModestOnBody) &&
+         std::all_of(wrench.world_point_forces.begin(), wrench.world_point_forces.end(),
+                     isModestInWorld);
 }
 
 }  // namespace
@@ -141,30 +144,63 @@ double SolvedMotion::smoothUntil(double t) const {
                    : valid_until_;
 }
 
-std::string tooFastText(const SolvedProblem& problem, const BodyState& state, bool stuck) {
-  const Body& body = problem.body;
+namespace {
+
+/// [1/s] How fast drag slows a body down; beyond numbers: infinite or none.
+double slowedBy(const MediumLoad& load, const Body& body, const BodyState& state) {
+  const bool has_drag = load.linear != 0 || load.quadratic != 0 || !load.linear_P.isZero(0) ||
+                        !load.quadratic_axes.isZero(0) || !load.angular_P.isZero(0);
+  if (!has_drag) return 0;
   const Vector3d w_P = angularVelocity(body.inv_I, state.L_P);
-  double spin = stableNorm(w_P), slowed = 0;
-  if (const auto& load = problem.wrench.medium) {
-    const double speed = stableNorm(Vector3d(state.p_W / body.mass - load->velocity_W)) +
-                         stableNorm(w_P) * stableNorm(load->center_P);
-    const double linear = load->linear + load->linear_P.cwiseAbs().maxCoeff() +
-                          (load->quadratic + load->quadratic_axes.maxCoeff()) * speed;
-    const double arm = stableNorm(load->center_P), inv_I = body.inv_I.maxCoeff();
-    slowed = std::max(linear * (1 / body.mass + arm * arm * inv_I),
-                      load->angular_P.cwiseAbs().maxCoeff() * inv_I);
-  }
-  const bool is_drag = slowed > spin || !std::isfinite(slowed);
+  const double speed = stableNorm(Vector3d(state.p_W / body.mass - load.velocity_W)) +
+                       stableNorm(w_P) * stableNorm(load.center_P);
+  const double linear = load.linear + load.linear_P.cwiseAbs().maxCoeff() +
+                        (load.quadratic + load.quadratic_axes.maxCoeff()) * speed;
+  const double arm = stableNorm(load.center_P), inv_I = body.inv_I.maxCoeff();
+  return std::max(linear * (1 / body.mass + arm * arm * inv_I),
+                  load.angular_P.cwiseAbs().maxCoeff() * inv_I);
+}
+
+/// [rad/s] At which a body would swing as a pendulum of buoyancy.
+double swungBy(const MediumLoad& load, const Body& body) {
+  if (load.lift_W.isZero(0) || load.lift_arm_P.isZero(0)) return 0;
+  return std::sqrt(stableNorm(load.lift_W)) * std::sqrt(stableNorm(load.lift_arm_P)) *
+         std::sqrt(body.inv_I.maxCoeff());
+}
+
+/// What makes a motion fast: at which rate, in which unit.
+struct Haste {
+  double rate;
+  const char *does, *unit, *does_beyond_numbers, *remedy;
+};
+
+/// That beyond numbers, or the fastest.
+Haste fastestOf(const SolvedProblem& problem, const BodyState& state) {
+  const Body& body = problem.body;
+  const Haste spin{stableNorm(angularVelocity(body.inv_I, state.L_P)), "it turns", " rad/s",
+                   "it turns", "slower turning, or less torque,"};
+  if (!problem.wrench.medium) return spin;
+  const MediumLoad& load = *problem.wrench.medium;
+  const Haste drag{slowedBy(load, body, state), "drag slows it down", "/s", "drag changes it",
+                   "weaker drag"};
+  const Haste lift{swungBy(load, body), "buoyancy turns it", " rad/s", "buoyancy turns it",
+                   "less buoyancy, or a centre nearer to that of mass,"};
+  if (!std::isfinite(drag.rate) || drag.rate > std::max(spin.rate, lift.rate)) return drag;
+  // swinging over from the top, it turns twice as fast at the bottom
+  return !std::isfinite(lift.rate) || 2 * lift.rate > spin.rate ? lift : spin;
+}
+
+}  // namespace
+
+std::string tooFastText(const SolvedProblem& problem, const BodyState& state, bool stuck) {
+  const Haste fastest = fastestOf(problem, state);
   std::ostringstream text;
   text << "the motion is too fast to be followed";
-  if (is_drag && !std::isfinite(slowed))
-    text << ": drag changes it faster than numbers reach";
-  else if (is_drag)
-    text << ": drag slows it down at " << slowed << "/s";
-  else if (spin > 0)
-    text << ": it turns at " << spin << " rad/s";
-  text << (stuck ? "; " : "; a shorter time_step or ")
-       << (is_drag ? "weaker drag" : "slower turning, or less torque,") << " is needed";
+  if (!std::isfinite(fastest.rate))
+    text << ": " << fastest.does_beyond_numbers << " faster than numbers reach";
+  else if (fastest.rate > 0)
+    text << ": " << fastest.does << " at " << fastest.rate << fastest.unit;
+  text << (stuck ? "; " : "; a shorter time_step or ") << fastest.remedy << " is needed";
   return text.str();
 }
 

@@ -41,8 +41,8 @@ class Stepper {
   /// Steps so far within which a force jumped, or nearly so: see Workspace::rough_steps.
   std::int64_t roughSteps() const { return workspace_.rough_steps; }
 
-  /// To be called when the motion is no longer the one on which the choice was tried: falls back to
-  /// dop853 controlled by its own error estimates.
+  /// To be called when an input changes the motion that was tried: falls back to dop853 controlled
+  /// by its own error estimates.
   void fallBackToErrorControl();
 
   /// To be called when what acts on the system has changed, or its state other than by advance().
@@ -106,8 +106,10 @@ class Stepper {
   bool advanceInContact(const System& system, double t, double h, SystemState& states,
                         Meter& meter);
   StepBound contactBound() const;
-  double longestStep(const System& system, double h, const SystemState& states) const;
-  double takeEstimatedStep(const System& system, double h, SystemState& states, double& next);
+  double stableStep(const System& system, double h, const SystemState& states) const;
+  double smoothStep(const System& system, const SystemState& states) const;
+  double takeEstimatedStep(const System& system, double h, double stable, SystemState& states,
+                           double& next);
   bool isBeyond(const SystemState& states) const;
   bool switchContacts(const System& system, double t, SystemState& states, double& energy);
   template <class Meter>

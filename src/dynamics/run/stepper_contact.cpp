@@ -28,19 +28,27 @@ void Stepper::moveContactEvents(std::vector<ContactEvent>& events) {
 }
 
 StepBound Stepper::contactBound() const {
-  constexpr double kIdleShare = 1e-2;
-  return {choice_.contact_bound, kIdleShare * choice_.contact_bound};
+  // least share: of steps of bounces, true errors are 0.1 to 0.7 times that power, the greater the
+  // longer the step
+  constexpr double kIdleShare = 1e-2, kLeastShare = 0.25;
+  return {choice_.contact_bound, kIdleShare * choice_.contact_bound, kLeastShare};
 }
 
-/// [s] Within which the integrator is stable and its estimate can be believed.
-double Stepper::longestStep(const System& system, double h, const SystemState& states) const {
+/// [s] Within which the integrator is stable and its estimate can be believed, where forces are
+/// smooth.
+double Stepper::stableStep(const System& system, double h, const SystemState& states) const {
   // an estimate may vanish by accident, more often the longer the step: no step is tried that is
   // far longer than those that the bound allows, as a rule. 8: with 10, energy over a thousand
   // bounces errs by more than 1e-12; shorter steps gain nothing there
   constexpr double kLongest = 8, kOrder = 8;
   const double turn = std::min(choice_.method->max_turn,
                                kLongest * std::pow(workspace_.step_bound.error, 1 / kOrder));
-  double longest = turn / std::max(fastestRate(system, h, states), 1e-300);
+  return turn / std::max(fastestRate(system, h, states), 1e-300);
+}
+
+/// [s] Within which forces are smooth enough for that.
+double Stepper::smoothStep(const System& system, const SystemState& states) const {
+  double longest = std::numeric_limits<double>::infinity();
   forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& at) {
     if (law.acts(at.own))
       longest = std::min(longest, law.longestStep(at, workspace_.step_bound.error));
@@ -49,20 +57,27 @@ double Stepper::longestStep(const System& system, double h, const SystemState& s
 }
 
 /// At most a step of h. Returns its length, and in `next` the length that the estimate suggests for
-/// the next one.
-double Stepper::takeEstimatedStep(const System& system, double h, SystemState& states,
-                                  double& next) {
+/// the next one. stable [s]: an error of momentum does not count that moves a body by less than
+/// rounding within so long: beside a touch or a release steps are far shorter, and what they do to
+/// the momentum lasts.
+double Stepper::takeEstimatedStep(const System& system, double h, double stable,
+                                  SystemState& states, double& next) {
   constexpr double kRounding = 1e-12, kSafety = 0.9, kOrder = 8;
-  const double bound = workspace_.step_bound.error;
+  const StepBound of_step = workspace_.step_bound;
+  const double bound = of_step.error;
   const SystemState start = states;
   double last_error = std::numeric_limits<double>::infinity();
   constexpr int kMaxTries = 200;
   for (int tries = 0; tries < kMaxTries; ++tries) {
+    workspace_.step_bound.idle = of_step.idle * std::min(1.0, h / stable);
     choice_.method->step(system, h, states, workspace_);
-    const double error = workspace_.error;
+    workspace_.step_bound = of_step;
+    const double error = workspace_.error, whole = workspace_.whole_error;
     // shorter steps no longer help: rounding dominates
     const bool stuck = error <= kRounding && error > 0.5 * last_error;
-    const double factor = kSafety * std::pow(bound / std::max(error, 1e-3 * bound), 1 / kOrder);
+    // the next step goes by what does not count, too, unless that is rounding
+    const double known = error == 0 && whole <= bound ? whole : error;
+    const double factor = kSafety * std::pow(bound / std::max(known, 1e-3 * bound), 1 / kOrder);
     if (error <= bound || stuck) {
       next = h * (stuck ? 1 : std::clamp(factor, 0.2, 2.0));
       return h;
@@ -100,6 +115,7 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
   const std::int64_t evaluated = evaluations();
   const auto bodies = static_cast<double>(system.bodies.size());
   double done = 0, next = h;
+  bool goes_on = false;
   constexpr int kMaxSubsteps = 1000000;
   // what laws bring about at any state lasts over the whole step: that is known beforehand
   if (!(h * law_rate_ <= kMaxSubsteps * choice_.method->max_turn))
@@ -108,14 +124,16 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     if (static_cast<double>(evaluations() - evaluated) * bodies > choice_.contact_work)
       throw StepTooLong(tooMuchContact(choice_.contact_work));
     const double left = h - done;
-    double step = std::min({left, next, longestStep(system, h, states)});
+    const double stable = std::min(h, stableStep(system, h, states));
+    double step = std::min({left, next, stable, smoothStep(system, states)});
     if (step < left && step > 0.5 * left) step = 0.5 * left;  // no sliver at the end
     const SystemState start = states;
-    step = takeEstimatedStep(system, step, states, next);
+    step = takeEstimatedStep(system, step, stable, states, next);
     scratch_.step_bound = workspace_.step_bound;
     const MotionPiece piece(system, *choice_.method, start, 0, step, scratch_);
     const CubicBetween cubic(start, states, workspace_, step);
-    const double length = events_.firstEvent(piece, start, states, &cubic);
+    const double length = events_.firstEvent(piece, start, states, &cubic, goes_on);
+    goes_on = !events_.found();
     visit(system, t + done, length, start, meter);
     done = length == left ? h : done + length;
     bool stops = done < h && isBeyond(states);

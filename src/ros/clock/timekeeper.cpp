@@ -51,8 +51,8 @@ void Timekeeper::waitForClock(ros::CallbackQueue& queue) const {
     if (warned || Pacer::Clock::now() - begin < kSilence) continue;
     warned = true;
     ROS_WARN(
-        "waiting for /clock: /use_sim_time is true, ~publish_clock false, and nobody sends it; "
-        "topics and services come up once it is received");
+        "waiting for /clock: /use_sim_time is true, ~publish_clock false, and no node "
+        "publishes it; topics and services start once it is received");
   }
 }
 

@@ -58,7 +58,7 @@ void Lockstep::watchOthers(ros::NodeHandle nh) {
 }
 
 // Bounds the memory that a sender without stamps takes: minutes of its messages.
-constexpr std::size_t kMostHeld = 100000;
+constexpr std::size_t kMaxAnswersHeld = 100000;
 
 void Lockstep::hold(const std::string& topic, const ros::Time& stamp, std::string bytes,
                     Take take) {
@@ -67,8 +67,8 @@ void Lockstep::hold(const std::string& topic, const ros::Time& stamp, std::strin
     const bool is_stale = known.stale_from && stamp >= *known.stale_from;
     known.stale_from.reset();  // messages keep their order: whatever comes later is of this run
     if (is_stale) return;
-    if (known.held.size() >= kMostHeld) {
-      fault_ = "lockstep: " + topic + " has brought " + std::to_string(kMostHeld) +
+    if (known.held.size() >= kMaxAnswersHeld) {
+      fault_ = "lockstep: " + topic + " has brought " + std::to_string(kMaxAnswersHeld) +
                " messages, none of them stamped as an answer to the state at hand";
       return;
     }
@@ -144,8 +144,8 @@ std::string Lockstep::missing() const {
 }
 
 std::chrono::milliseconds Lockstep::patience() const {
-  constexpr double kDefault = 2, kMost = 1e6;  // [s]
-  const double seconds = timeout_ > 0 ? std::min(timeout_, kMost) : kDefault;
+  constexpr double kDefault = 2, kMax = 1e6;  // [s]
+  const double seconds = timeout_ > 0 ? std::min(timeout_, kMax) : kDefault;
   return std::chrono::milliseconds(static_cast<std::int64_t>(1000 * seconds));
 }
 

@@ -10,7 +10,7 @@
 namespace rigid_body_sim {
 
 /// Where a body was during the last ten seconds, as tf keeps it, to a millisecond: a viewer speaks
-/// of a frame as it was at a stamp that it has heard.
+/// of a frame as it was at a stamp that it has received.
 class PoseHistory {
  public:
   /// Stamps increase.

@@ -19,8 +19,8 @@ using namespace rigid_body_sim;
 namespace {
 
 const char* const kHelp = R"(usage: rosrun rigid_body_sim demo_pusher
-Client of demo.launch: subscribes to box/odom and publishes box/wrench, by which it keeps the box on its
-round. Needs a ROS master, and a rigid_body_node with config/scenes/demo.yaml.
+Client of demo.launch: subscribes to box/odom and publishes box/wrench, by which it keeps the box
+swinging. Needs a ROS master, and a rigid_body_node with config/scenes/demo.yaml.
 
   --help    this text
 )";

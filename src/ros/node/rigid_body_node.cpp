@@ -22,8 +22,8 @@ namespace {
 
 const char* const kHelp =
     R"(usage: rosrun rigid_body_sim rigid_body_node _scene_file:=FILE [_PARAMETER:=VALUE ...]
-Simulates a scene in ROS time: takes wrenches and commands from topics and
-services, publishes odometry and tf.
+Simulates a scene in ROS time: takes wrenches and commands from topics and services, publishes odometry
+and tf.
 
   _scene_file:=FILE        the scene; or _scene:=TEXT, its YAML text
   _publish_rate:=HZ        of states, per second of simulation time; default 100
@@ -31,13 +31,14 @@ services, publishes odometry and tf.
   _wrench_timeout:=S       how long a wrench without a duration is held, 0: until replaced;
                            default 0.5
   _command_timeout:=S      how long a command to an actuator is held, 0: until replaced; default 0.5
-  _lockstep:=TOPIC         wait for a message of it at every multiple of the period; or a list
-  _lockstep_period:=S      in simulation time, a multiple of the time step
+  _lockstep:=TOPIC         wait for a message on it at every multiple of the period; or a list of
+                           topics
+  _lockstep_period:=S      in simulation time, a multiple of the time step; needed with lockstep
   _lockstep_timeout:=S     in wall time, after which the node ends; default 0: never
   _publish_clock:=BOOL     start at 0 and send /clock; needs /use_sim_time; default false
   _clock_rate:=HZ          of /clock, per second of simulation time; default 100
-  _start_time:=S           where on a /clock that is followed the run starts; default: where it is
-                           first received
+  _start_time:=S           time on the /clock that the node follows at which the run starts; default:
+                           the first that is received
   _start_paused:=BOOL      default false
   _body_topics:=BOOL       false: no topics of single bodies, which saves starting time with
                            thousands of them; default true

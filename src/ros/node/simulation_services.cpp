@@ -38,7 +38,8 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
   try {
     while (response.message.empty() && taken < request.steps) {
       response.message = lateMessages();
-      if (response.message.empty()) response.message = stepFault();
+      if (response.message.empty())
+        response.message = paused_ ? stepFault() : "ended, for the simulation was resumed";
       if (!response.message.empty()) break;
       advance();
       ++taken;

@@ -1,5 +1,6 @@
 #include "ros/options/node_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -137,7 +138,7 @@ std::array<double, 6> readDiagonal(const std::string& name, XmlRpcValue value) {
 std::optional<double> readTime(const std::string& name, XmlRpcValue value) {
   constexpr double kLatest = std::numeric_limits<std::uint32_t>::max();  // of ros::Time
   const double x = number(value);
-  if (!(x >= 0) || !(x <= kLatest)) refuse(name, value, "a time >= 0 s that ROS can tell");
+  if (!(x >= 0) || !(x <= kLatest)) refuse(name, value, "a time >= 0 s that ROS can represent");
   return x;
 }
 
@@ -173,13 +174,15 @@ const std::map<std::string, Reader>& readers() {
   return table;
 }
 
+/// diagnostic_updater's own, of which the node makes use.
+constexpr char kDiagnosticPeriod[] = "diagnostic_period";
+
 [[noreturn]] void refuseUnknown(const std::string& name, const XmlRpcValue& value) {
-  std::string known;
-  for (const auto& [parameter, reader] : readers())
-    known += (known.empty() ? "" : ", ") + parameter;
-  throw ParameterError(
-      "parameter ~" + printable(name) + ": unknown, got " + quoted(value) + "; known: " + known,
-      {name});
+  std::vector<std::string> known = parameterNames();
+  known.insert(std::lower_bound(known.begin(), known.end(), kDiagnosticPeriod), kDiagnosticPeriod);
+  throw ParameterError("parameter ~" + printable(name) + ": unknown, got " + quoted(value) +
+                           "; known: " + nameList(known, known.size()),
+                       {name});
 }
 
 }  // namespace
@@ -195,7 +198,7 @@ NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
   if (parameters.getType() == XmlRpcValue::TypeStruct) {
     XmlRpcValue copy = parameters;
     for (const auto& [name, value] : copy) {
-      if (name == "diagnostic_period") {  // diagnostic_updater's own, of which the node makes use
+      if (name == kDiagnosticPeriod) {
         readRate(name, value);
         continue;
       }

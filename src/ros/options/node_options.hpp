@@ -32,7 +32,7 @@ struct NodeOptions {
   bool reset_time = false;            ///< reset starts time again; with publish_clock only
   bool start_paused = false;
   std::optional<double> start_time;  ///< [s] where simulation time zero lies on a clock that is
-                                     ///< followed; none: where the clock is first heard
+                                     ///< followed; none: what the clock first says
   bool follow_clock = false;         ///< no parameter: /use_sim_time without publish_clock
 };
 

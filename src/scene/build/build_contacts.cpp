@@ -69,12 +69,14 @@ void ContactBuilder::addWithAll(std::size_t body, const ContactParameters& param
     refuse("between: 'all' means every other body here, so that no body may be named all");
   if (!with_all_.insert(body).second)
     refuse("between: an entry before it names " + quoted(bodies_[body].name) + " and all");
+  requireNoPivot(body, "leave it out of between");
   bool alone = true;
   for (std::size_t other = 0; other < bodies_.size(); ++other) {
     if (other == body || (bodies_[body].fixed && bodies_[other].fixed) || !touches(other)) continue;
     alone = false;
     const Pair pair = std::minmax({body, other});
     if (named_.count(pair) > 0 || !claim(pair)) continue;
+    requireNoPivot(other, "take it from what all means, by collision: []");
     ContactParameters of_pair = parameters;
     if (!isPlane(body) && !isPlane(other)) of_pair.rolling_friction = 0;
     laws.push_back(lawBetween(body, other, of_pair));
@@ -96,11 +98,7 @@ std::shared_ptr<const ForceLaw> ContactBuilder::lawBetween(std::size_t a, std::s
     if (!touches(body))
       refuse("between: body " + quoted(bodies_[body].name) +
              " has no shape to touch by; give it one: collision: [{shape: ...}, ...]");
-  for (const std::size_t body : {a, b})
-    if (bodies_[body].pivoted)
-      refuse("between: body " + quoted(bodies_[body].name) +
-             " is on a pivot, and contact of such a body is not supported; remove its pivot or "
-             "leave it out of between");
+  for (const std::size_t body : {a, b}) requireNoPivot(body, "leave it out of between");
   if (isPlane(b)) return lawOnPlane(a, b, parameters);
   if (!isMadeOfBalls(shapeOf(a)) || !isMadeOfBalls(shapeOf(b)))
     refuse(
@@ -111,6 +109,14 @@ std::shared_ptr<const ForceLaw> ContactBuilder::lawBetween(std::size_t a, std::s
     refuse("rolling_friction acts on planes only, but neither " + quoted(name_a) + " nor " +
            quoted(name_b) + " is one");
   return contactOfBalls(bodies_, a, shapeOf(a), b, shapeOf(b), parameters);
+}
+
+/// else_do: instead of removing it.
+void ContactBuilder::requireNoPivot(std::size_t body, const std::string& else_do) const {
+  if (bodies_[body].pivoted)
+    refuse("between: body " + quoted(bodies_[body].name) +
+           " is on a pivot, and contact of such a body is not supported; remove its pivot or " +
+           else_do);
 }
 
 std::shared_ptr<const ForceLaw> ContactBuilder::lawOnPlane(std::size_t body, std::size_t plane,

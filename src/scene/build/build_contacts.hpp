@@ -34,6 +34,7 @@ class ContactBuilder {
                                              const ContactParameters& parameters);
   std::shared_ptr<const ForceLaw> lawOnPlane(std::size_t body, std::size_t plane,
                                              const ContactParameters& parameters);
+  void requireNoPivot(std::size_t body, const std::string& else_do) const;
   bool isPlane(std::size_t body) const;
   bool touches(std::size_t body) { return isPlane(body) || !shapeOf(body).empty(); }
   const ContactShape& shapeOf(std::size_t body);

@@ -30,7 +30,11 @@ class LawBuilder {
   ForceLaws build() {
     for (const ForceDef& force : scene_.forces) {
       force_ = &force;
-      std::visit([this](const auto& def) { add(def); }, force.law);
+      try {
+        std::visit([this](const auto& def) { add(def); }, force.law);
+      } catch (const std::invalid_argument& refused) {
+        fail(force.line, refused.what());
+      }
       ++index_;
     }
     addMediumLaws(scene_, bodies_, laws_);
@@ -51,11 +55,7 @@ class LawBuilder {
   }
 
   void add(const ContactDef& def) {
-    try {
-      for (const std::shared_ptr<const ForceLaw>& law : contacts_.lawsOf(def)) laws_.push_back(law);
-    } catch (const std::invalid_argument& refused) {
-      fail(force_->line, refused.what());
-    }
+    for (const std::shared_ptr<const ForceLaw>& law : contacts_.lawsOf(def)) laws_.push_back(law);
   }
 
   /// One law per body that moves.

@@ -1,6 +1,7 @@
 #include "scene/build/build_medium.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <rigid_body_sim/dynamics/buoyancy.hpp>
 #include <rigid_body_sim/dynamics/medium_drag.hpp>
@@ -72,8 +73,12 @@ void addMediumLaws(const Scene& scene, const std::vector<Body>& bodies, ForceLaw
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyDef& def = scene.bodies[i];
     if (bodies[i].fixed) continue;
-    if (def.drag.any()) laws.push_back(dragOf(scene, def.drag, i, bodies[i]));
-    if (def.buoyancy) laws.push_back(buoyancyOf(scene, def, i, bodies[i]));
+    try {
+      if (def.drag.any()) laws.push_back(dragOf(scene, def.drag, i, bodies[i]));
+      if (def.buoyancy) laws.push_back(buoyancyOf(scene, def, i, bodies[i]));
+    } catch (const std::invalid_argument& refused) {
+      throw SceneError(scene.source, def.line, "body '" + def.name + "': " + refused.what());
+    }
   }
 }
 

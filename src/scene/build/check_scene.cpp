@@ -89,6 +89,14 @@ void checkMotion(const Scene& scene, const BodyDef& body) {
                          " rad/s");
 }
 
+/// What a medium does to a body that never moves would be said of nothing.
+void checkMedium(const Scene& scene, const BodyDef& body) {
+  if (!body.fixed || !(body.drag.any() || body.buoyancy)) return;
+  throw SceneError(scene.source, body.buoyancy ? body.buoyancy->line : body.line,
+                   "body '" + body.name + "': " + (body.buoyancy ? "buoyancy" : "drag") +
+                       " cannot move the body, which is fixed; remove one of the two");
+}
+
 void checkPresence(const Scene& scene, const BodyDef& body) {
   if (body.fixed && body.absent)
     throw SceneError(scene.source, body.line,
@@ -153,6 +161,7 @@ void checkScene(const Scene& scene) {
     else
       checkPlane(scene, body);
     checkMotion(scene, body);
+    checkMedium(scene, body);
     checkPresence(scene, body);
     checkPivot(scene, body);
     checkActuators(scene, body);

@@ -109,7 +109,7 @@ class AsciiReader {
   /// endfacet.
   void readFacet() {
     expect("normal");
-    for (int i = 0; i < 3; ++i) reader_.word();  // of no account, and often wrong
+    for (int i = 0; i < 3; ++i) reader_.word();  // ignored, and often wrong
     expect("outer");
     expect("loop");
     for (int corner = 0; corner < 3; ++corner) {

@@ -209,8 +209,8 @@ const std::vector<Key<Whole>>& keysOfState() {
       {"contact_bound",
        [](const Entry& e, Whole& s) {
          s.value.contact_bound = readNumber(e, "");
-         if (!(s.value.contact_bound >= kLeastContactBound && s.value.contact_bound <= 1))
-           e.failRule("must be from 1e-14 to 1");
+         if (!(s.value.contact_bound >= contactStepBound(0) && s.value.contact_bound <= 1))
+           e.failRule("must be from 1e-16 to 1");
        },
        false},
       {kLastKey,

@@ -26,9 +26,9 @@ State sampleAt(const Simulation& simulation, double t, const StepHooks& hooks) {
 }  // namespace
 
 std::int64_t stepsBy(const Simulation& simulation, double t) {
-  constexpr double kMost = 9e18;
+  constexpr double kMax = 9e18;
   const double steps = t / simulation.world().solver.time_step;
-  return static_cast<std::int64_t>(std::min(std::floor(steps + missedBy(steps)), kMost));
+  return static_cast<std::int64_t>(std::min(std::floor(steps + missedBy(steps)), kMax));
 }
 
 bool stepTo(Simulation& simulation, double t, const StepHooks& hooks) {

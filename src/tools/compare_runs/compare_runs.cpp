@@ -1,10 +1,12 @@
 // Compares two runs, instant by instant: bags of the node or of simulate, or CSV files of simulate.
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "programs/run_program.hpp"
 #include "programs/standard_streams.hpp"
+#include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
 #include "tools/common/csv_rows.hpp"
 #include "tools/compare_runs/motion_difference.hpp"
@@ -13,7 +15,7 @@ namespace rigid_body_sim {
 namespace {
 
 const char* const kHelp = R"(usage: compare_runs FIRST SECOND [options]
-Compares two runs at the instants that both hold, and prints the greatest differences of each body
+Compares two runs at the instants that are in both, and prints the greatest differences of each body
 that is in both. Both are
   bags (.bag): the odometry of the bodies, recorded from a node or written by simulate --bag; or
   CSV files (any other name) of simulate --csv.
@@ -22,7 +24,10 @@ that is in both. Both are
                  angular velocity [rad/s]; default: the bits must be the same
   --help         this text
 
-A body of one run only is printed, and does not count as a difference.
+A body of one run only is printed, and does not count as a difference. A record holds several states
+of an instant where one was set while time stood: of these the nearest to the other run counts, and
+the line of the body says of how many instants. Of several runs in a bag, parted by resets of time or
+by loads, the last is compared.
 Exit status: 0 the bodies of both runs agree; 1 they differ, or the input is at fault; 2 wrong usage.
 )";
 
@@ -32,6 +37,8 @@ void compare(const std::vector<std::string>& files, double tolerance) {
   bool agree = true;
   std::string report;
   const RecordedMotion first = readMotion(files[0]), second = readMotion(files[1]);
+  for (const std::string& notice : {first.notice, second.notice})
+    if (!notice.empty()) std::fprintf(stderr, "%s\n", noticeLine("compare_runs", notice).c_str());
   for (const MotionDifference& body : differencesOf(first, second)) {
     report += text(body);
     agree &= body.isWithin(tolerance);

@@ -13,6 +13,7 @@ struct MotionDifference {
   std::string body;
   std::size_t instants = 0;  ///< that both hold
   std::size_t alone = 0;     ///< that one of the two holds
+  std::size_t several = 0;   ///< at which one of the runs holds several motions
   bool same_bits = true;
   double position = 0;          ///< [m]
   double attitude = 0;          ///< [rad]
@@ -23,7 +24,9 @@ struct MotionDifference {
   bool isWithin(double tolerance) const;
 };
 
-/// Of every body that both runs hold. Throws std::runtime_error, one line, where there is none, and
+/// Of every body that both runs hold. Of an instant at which a run holds several motions the two
+/// count that are nearest to each other: which of them the other run shows is of no meaning, and
+/// what follows shows the last. Throws std::runtime_error, one line, where there is none, and
 /// for a body without an instant that both hold.
 std::vector<MotionDifference> differencesOf(const RecordedMotion& a, const RecordedMotion& b);
 

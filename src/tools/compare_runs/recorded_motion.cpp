@@ -10,9 +10,11 @@
 
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
-#include <rosbag/view.h>
+#include <rosbag/message_instance.h>
 
+#include "ros/bag/in_file_order.hpp"
 #include "ros/bag/open_bag.hpp"
+#include "ros/bag/run_starts.hpp"
 #include "tools/common/csv_header.hpp"
 #include "tools/common/csv_rows.hpp"
 
@@ -27,26 +29,45 @@ Motion motionOf(const nav_msgs::Odometry& message) {
           angular.x,     angular.y,     angular.z};
 }
 
+/// -0 is not 0.
+bool haveSameBits(const Motion& a, const Motion& b) {
+  return std::memcmp(a.data(), b.data(), sizeof a) == 0;
+}
+
+/// A node repeats what it said while time stands.
+void add(const Motion& motion, std::vector<Motion>& of_instant) {
+  const auto known = std::find_if(of_instant.begin(), of_instant.end(),
+                                  [&](const Motion& m) { return haveSameBits(m, motion); });
+  if (known == of_instant.end()) of_instant.push_back(motion);
+}
+
 RecordedMotion motionOfBag(const std::string& path) {
   rosbag::Bag bag;
   openBag(path, bag);
   RecordedMotion motion;
-  rosbag::View view(bag, rosbag::TypeQuery(ros::message_traits::datatype<nav_msgs::Odometry>()));
-  for (const rosbag::MessageInstance& instance : view) {
+  RunStarts starts;
+  inFileOrder(bag, [&](const rosbag::MessageInstance& instance) {
+    if (instance.getDataType() != ros::message_traits::datatype<nav_msgs::Odometry>()) return;
     const auto message = instance.instantiate<nav_msgs::Odometry>();
     if (!message) throw std::runtime_error(instance.getTopic() + " is of another version");
-    motion[message->child_frame_id][static_cast<std::int64_t>(message->header.stamp.toNSec())] =
-        motionOf(*message);
-  }
-  if (motion.empty()) throw std::runtime_error("holds no odometry (nav_msgs/Odometry)");
+    const ros::Time& stamp = message->header.stamp;
+    if (starts.isStart(instance.getTopic(), stamp)) motion.bodies.clear();
+    add(motionOf(*message),
+        motion.bodies[message->child_frame_id][static_cast<std::int64_t>(stamp.toNSec())]);
+  });
+  if (motion.bodies.empty()) throw std::runtime_error("holds no odometry (nav_msgs/Odometry)");
+  if (starts.runs() > 1)
+    motion.notice =
+        path + ": holds several runs, parted by resets or loads, of which the last is compared";
   return motion;
 }
 
 void addRow(const CsvRow& row, RecordedMotion& motion) {
   constexpr double kMaxSeconds = 9e9;  // that 64 bits of nanoseconds hold
   if (std::abs(row.time) > kMaxSeconds) throw std::runtime_error("time must be at most 9e9 s");
-  Motion& state = motion[row.body][std::llround(row.time * 1e9)];
+  Motion state;
   std::copy(row.numbers.begin(), row.numbers.end(), state.begin());
+  add(state, motion.bodies[row.body][std::llround(row.time * 1e9)]);
 }
 
 RecordedMotion motionOfCsv(const std::string& path) {

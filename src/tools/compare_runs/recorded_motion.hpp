@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace rigid_body_sim {
 
@@ -11,11 +12,17 @@ namespace rigid_body_sim {
 /// [m/s] and angular velocity (3) [rad/s], in the axes of the file.
 using Motion = std::array<double, 13>;
 
-/// Motions by time [ns], by body.
-using RecordedMotion = std::map<std::string, std::map<std::int64_t, Motion>>;
+/// Motions by time [ns]: one of an instant, or several that differ, in their order. A record holds
+/// several where the state was set, the body's mass, say, while time stood.
+using Motions = std::map<std::int64_t, std::vector<Motion>>;
 
-/// Reads the odometry in a bag, or a CSV file of simulate. Throws std::runtime_error with one line,
-/// the path first.
+struct RecordedMotion {
+  std::map<std::string, Motions> bodies;
+  std::string notice;  ///< one line, the path first; or empty
+};
+
+/// Reads the odometry in a bag, of several runs one after the other the last, or a CSV file of
+/// simulate. Throws std::runtime_error with one line, the path first.
 RecordedMotion readMotion(const std::string& path);
 
 }  // namespace rigid_body_sim

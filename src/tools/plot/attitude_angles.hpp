@@ -13,6 +13,9 @@ class AttitudeAngles {
  public:
   Vector3d next(const Quaterniond& q_WB);
 
+  /// What comes next does not go on from what came before.
+  void startAnew() { is_first_ = true; }
+
  private:
   Vector3d last_ = Vector3d::Zero();
   bool is_first_ = true;

@@ -7,7 +7,7 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr std::size_t kMostBodies = 8;  // that one picture can tell apart
+constexpr std::size_t kMaxDrawnBodies = 8;  // that one picture can tell apart
 
 bool moves(const Samples<13>& samples) {
   return std::any_of(samples.rows.begin(), samples.rows.end(),
@@ -35,7 +35,7 @@ std::vector<std::string> movingBodies(const RunData& run) {
 std::vector<std::string> bodiesToDraw(const RunData& run) {
   std::vector<std::string> bodies = movingBodies(run);
   if (bodies.empty()) bodies = bodiesOf(run);
-  if (bodies.size() > kMostBodies) bodies.resize(kMostBodies);
+  if (bodies.size() > kMaxDrawnBodies) bodies.resize(kMaxDrawnBodies);
   return bodies;
 }
 

@@ -58,12 +58,12 @@ void addPoint(double t, const Vector3d& v, std::array<Curve, 3>& curves) {
   }
 }
 
-/// What three panels show of each body: a vector at each instant.
+/// What three panels show of each body: a vector for each of its samples, asked for in their order.
 template <std::size_t N>
-using VectorOf = std::function<std::function<Vector3d(const std::array<double, N>&)>()>;
+using VectorOf = std::function<std::function<Vector3d(std::size_t)>(const Samples<N>&)>;
 
 /// A panel for each axis, a curve for each body. axes and unit: for the labels. vector_of: makes,
-/// for each body anew, what gives the vector of a row.
+/// for each body anew, what gives the vector of a sample.
 template <std::size_t N>
 Figure vectorFigure(const std::string& name, const std::string& title, const ByBody<N>& all,
                     const std::vector<std::string>& bodies, const Axes& axes,
@@ -74,9 +74,9 @@ Figure vectorFigure(const std::string& name, const std::string& title, const ByB
     if (!contains(bodies, each.body)) continue;
     std::array<Curve, 3> curves{Curve{each.body}, Curve{each.body}, Curve{each.body}};
     for (Curve& curve : curves) curve.interval = usualInterval(each.samples.t);
-    const auto vector = vector_of();
+    const auto vector = vector_of(each.samples);
     for (std::size_t k = 0; k < each.samples.t.size(); ++k)
-      addPoint(each.samples.t[k], vector(each.samples.rows[k]), curves);
+      addPoint(each.samples.t[k], vector(k), curves);
     for (std::size_t i = 0; i < 3; ++i) {
       scale.take(curves[i].y);
       figure.panels[i].curves.push_back(std::move(curves[i]));
@@ -92,8 +92,8 @@ Figure vectorFigure(const std::string& name, const std::string& title, const ByB
 /// Three numbers of a row, from `begin` on.
 template <std::size_t N>
 VectorOf<N> numbersFrom(std::size_t begin) {
-  return [begin] {
-    return [begin](const std::array<double, N>& row) { return vectorAt(begin, row); };
+  return [begin](const Samples<N>& samples) {
+    return [begin, &samples](std::size_t k) { return vectorAt(begin, samples.rows[k]); };
   };
 }
 
@@ -101,8 +101,30 @@ Quaterniond attitudeOf(const std::array<double, 13>& m) {
   return Quaterniond(m[6], m[3], m[4], m[5]);
 }
 
-Vector3d rates(const std::array<double, 13>& m) {
-  return rotateBack(attitudeOf(m), vectorAt(10, m));
+std::function<Vector3d(std::size_t)> ratesOf(const Samples<13>& samples) {
+  return [&samples](std::size_t k) {
+    const std::array<double, 13>& m = samples.rows[k];
+    return rotateBack(attitudeOf(m), vectorAt(10, m));
+  };
+}
+
+/// Whether the body did not turn from sample k - 1 to sample k: it was away between, was put into
+/// another state, or time went back. gap: [s] beyond which samples are missing.
+bool isPutElsewhere(const Samples<13>& samples, std::size_t k, double gap) {
+  const double dt = samples.t[k] - samples.t[k - 1];
+  if (dt < 0 || dt > gap) return true;
+  const std::array<double, 13>&a = samples.rows[k - 1], &b = samples.rows[k];
+  const double rate = std::max(vectorAt(10, a).norm(), vectorAt(10, b).norm());
+  constexpr double kMargin = 2, kRounding = 1e-6;  // of rates that vary between samples; [rad]
+  return angleBetween(attitudeOf(a), attitudeOf(b)) > kMargin * rate * dt + kRounding;
+}
+
+std::function<Vector3d(std::size_t)> anglesOf(const Samples<13>& samples) {
+  const double gap = 4 * usualInterval(samples.t);  // where the curve breaks, too
+  return [&samples, gap, angles = AttitudeAngles()](std::size_t k) mutable {
+    if (k > 0 && isPutElsewhere(samples, k, gap)) angles.startAnew();
+    return Vector3d(kDegrees * angles.next(attitudeOf(samples.rows[k])));
+  };
 }
 
 void addMotion(const RunData& run, const std::vector<std::string>& bodies,
@@ -113,14 +135,10 @@ void addMotion(const RunData& run, const std::vector<std::string>& bodies,
   };
   add("position", "Position of the body frame in the world", kAxes, "m", numbersFrom<13>(0));
   add("attitude", "Attitude: roll, pitch and yaw, without jumps", {"roll", "pitch", "yaw"}, "deg",
-      [] {
-        return [angles = AttitudeAngles()](const std::array<double, 13>& m) mutable {
-          return Vector3d(kDegrees * angles.next(attitudeOf(m)));
-        };
-      });
+      anglesOf);
   add("velocity", "Velocity of the origin of the body frame, world axes", kAxes, "m/s",
       numbersFrom<13>(7));
-  add("rates", "Angular velocity, axes of the body", kAxes, "rad/s", [] { return rates; });
+  add("rates", "Angular velocity, axes of the body", kAxes, "rad/s", ratesOf);
 }
 
 bool isZero(const Figure& figure) {

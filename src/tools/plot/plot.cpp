@@ -17,7 +17,7 @@ namespace {
 
 const char* const kHelp = R"(usage: plot FILE ... [options]
 Draws a run over time, as SVG pictures: position, attitude, velocity and angular velocity; forces and
-torques; energy and momentum, and what work and impulses do not account for of them. FILE is
+torques; energy and momentum, and the part of them that work and impulses do not account for. FILE is
   a bag (.bag), recorded from a node or written by simulate --bag. Motion is read from the odometry
     of the bodies, forces from <body>/applied_wrench, <body>/pivot_force and ~contacts, energy and
     momentum from ~status: whatever of these the bag holds; or
@@ -29,8 +29,9 @@ torques; energy and momentum, and what work and impulses do not account for of t
   --help          this text
 
 Roll, pitch and yaw go on without jumps: pitch beyond a quarter of a turn, all of them beyond a turn.
-Forces that are zero throughout are not drawn. Stamps of a bag that are wall time count from the first
-one on. Needs gnuplot: apt install gnuplot-nox.
+After an absence and where the body was put into another attitude they begin anew. Forces that are zero
+throughout are not drawn. Of several runs in a bag, parted by resets of time or by loads, the last is
+drawn. Stamps of a bag that are wall time count from the first one on. Needs gnuplot: apt install gnuplot-nox.
 Exit status: 0 done; 1 a file cannot be read or written, or gnuplot is missing; 2 wrong usage.
 )";
 

@@ -9,12 +9,14 @@
 #include <geometry_msgs/WrenchStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
-#include <rosbag/view.h>
+#include <rosbag/message_instance.h>
 
 #include <rigid_body_sim/Contacts.h>
 #include <rigid_body_sim/SimStatus.h>
 
+#include "ros/bag/in_file_order.hpp"
 #include "ros/bag/open_bag.hpp"
+#include "ros/bag/run_starts.hpp"
 #include "ros/messages/conversions.hpp"
 #include "scene/message_text.hpp"
 #include "tools/plot/run_data.hpp"
@@ -51,27 +53,48 @@ constexpr const char* kNoBalance =
     ": energy and momentum are not drawn, for no status in it has a balance yet: record ~status "
     "for more than two seconds";
 
-/// Reads message after message of a bag.
+constexpr const char* kRuns =
+    ": holds several runs, parted by resets or loads, of which the last is drawn";
+
+/// Reads message after message of a bag, and keeps its last run.
 class BagRunReader {
  public:
   void take(const rosbag::MessageInstance& message) {
-    if (const auto odometry = message.instantiate<nav_msgs::Odometry>()) takeOdometry(*odometry);
-    if (const auto status = message.instantiate<SimStatus>()) takeStatus(*status);
-    if (const auto contacts = message.instantiate<Contacts>()) takeContacts(*contacts);
-    const auto wrench = message.instantiate<geometry_msgs::WrenchStamped>();
-    if (wrench && endsWith(message.getTopic(), "/applied_wrench")) takeApplied(*wrench);
-    if (wrench && endsWith(message.getTopic(), "/pivot_force")) takePivot(*wrench);
+    takeAs<nav_msgs::Odometry>(message, &BagRunReader::takeOdometry);
+    takeAs<SimStatus>(message, &BagRunReader::takeStatus);
+    takeAs<Contacts>(message, &BagRunReader::takeContacts);
+    if (endsWith(message.getTopic(), "/applied_wrench"))
+      takeAs<geometry_msgs::WrenchStamped>(message, &BagRunReader::takeApplied);
+    if (endsWith(message.getTopic(), "/pivot_force"))
+      takeAs<geometry_msgs::WrenchStamped>(message, &BagRunReader::takePivot);
   }
 
   /// The run as it has been read, with what there is to say of it.
   RunData run(const std::string& path) const {
     RunData run = run_;
+    if (run.motion.empty())
+      throw std::runtime_error(std::string("holds no odometry (nav_msgs/Odometry)") +
+                               (starts_.runs() > 1 ? " of the last of its runs" : "") +
+                               ": record <body>/odom");
+    if (starts_.runs() > 1) run.notices.push_back(oneLine(path) + kRuns);
     if (run.balance.t.empty())
       run.notices.push_back(oneLine(path) + (has_status_ ? kNoBalance : kNoStatus));
     return run;
   }
 
  private:
+  template <class Message>
+  void takeAs(const rosbag::MessageInstance& instance, void (BagRunReader::*keep)(const Message&)) {
+    const auto message = instance.instantiate<Message>();
+    if (!message) return;
+    if (starts_.isStart(instance.getTopic(), message->header.stamp)) {
+      run_ = {};
+      begin_.reset();
+      contact_times_.clear();
+    }
+    (this->*keep)(*message);
+  }
+
   /// [s] From the first stamp on, where stamps are wall time: more digits than a plot can show.
   double timeOf(const ros::Time& stamp) {
     constexpr double kWallTime = 1e6;  // [s] beyond which no simulation is plotted as a whole
@@ -146,6 +169,7 @@ class BagRunReader {
     run_.balance.rows.push_back(row);
   }
 
+  RunStarts starts_;
   RunData run_;
   bool has_status_ = false;
   std::optional<ros::Time> begin_;
@@ -158,16 +182,14 @@ RunData readBagRun(const std::string& path) {
   rosbag::Bag bag;
   openBag(path, bag);
   BagRunReader reader;
-  rosbag::View view(bag);
-  for (const rosbag::MessageInstance& message : view) try {
+  inFileOrder(bag, [&reader](const rosbag::MessageInstance& message) {
+    try {
       reader.take(message);
     } catch (const std::exception& fault) {
       throw std::runtime_error(message.getTopic() + ": " + fault.what());
     }
-  RunData run = reader.run(path);
-  if (run.motion.empty())
-    throw std::runtime_error("holds no odometry (nav_msgs/Odometry): record <body>/odom");
-  return run;
+  });
+  return reader.run(path);
 }
 
 }  // namespace rigid_body_sim

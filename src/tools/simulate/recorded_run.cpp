@@ -29,8 +29,7 @@ std::string RecordedRun::lengthNotice(const Scene& scene) const {
          formatted(
              "holds several runs, parted by resets or loads, of which the last is repeated; "
              "its length is not known, it is taken to end at %s s: --duration says how long "
-             "it was. Messages of the runs before have the same stamps, which compare_runs "
-             "does not part",
+             "it was",
              shortest(end(scene)).c_str());
 }
 

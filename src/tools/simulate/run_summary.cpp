@@ -120,7 +120,7 @@ std::string changedText(const Causes& causes, const Conserved& a, const Conserve
 
 std::string runSummary(const World& world, const State& first, const State& last,
                        const std::vector<InputEffects>& inputs) {
-  constexpr std::size_t kMost = 100;  // bodies that anybody would read about one by one
+  constexpr std::size_t kMax = 100;  // bodies that anybody would read about one by one
   const std::vector<Causes> causes = causesOf(world, first, last.t, inputs);
   const World world_at_first = withChanges(world, first.changes);
   std::string summary;
@@ -128,7 +128,7 @@ std::string runSummary(const World& world, const State& first, const State& last
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     const Body& body_at_first = world_at_first.bodies[i];
-    if (body.fixed || ++moving > kMost) continue;
+    if (body.fixed || ++moving > kMax) continue;
     const bool has_come = body_at_first.absent;
     if (body.absent) {
       summary += body.name + (has_come ? ": absent\n" : ": has left\n");
@@ -149,8 +149,8 @@ std::string runSummary(const World& world, const State& first, const State& last
     summary += causes[i].empty() ? conservedText(a, b, weight_impulse)
                                  : changedText(causes[i], a, b, weight_impulse);
   }
-  if (moving > kMost)
-    summary += formatted("and %zu more bodies, which --csv or --bag writes\n", moving - kMost);
+  if (moving > kMax)
+    summary += formatted("and %zu more bodies, which --csv or --bag writes\n", moving - kMax);
   if (!world.laws.empty()) {
     const double energy = mechanicalEnergy(world, last);
     const double change = energy - mechanicalEnergy(world_at_first, first);

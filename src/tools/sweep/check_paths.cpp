@@ -173,8 +173,8 @@ bool SweepRunner::differAmong(const std::vector<SceneValue>& values, std::size_t
 /// Whether the path counts where the others have what is drawn for them: the frame of a twist does
 /// once the body is turned.
 bool SweepRunner::reachesBesideOthers(std::size_t index, std::vector<SceneValue> values) {
-  constexpr std::size_t kMostValues = 9;
-  values.resize(std::min(values.size(), kMostValues));
+  constexpr std::size_t kMaxShown = 9;
+  values.resize(std::min(values.size(), kMaxShown));
   bool reaches = false;
   for (std::int64_t run = 0; run < 2 && !reaches && read_backs_.size() > 1; ++run) {
     setValues(run);

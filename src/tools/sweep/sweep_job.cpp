@@ -171,14 +171,14 @@ void SweepJob::run() {
 /// What the user must know of runs without results, of those that are not sure ones, and of those
 /// that were not begun.
 void SweepJob::report(const SweepOutcome& outcome, std::int64_t kept) const {
-  const auto tell = [](std::int64_t runs, const std::string& what, const std::string& first) {
+  const auto notify = [](std::int64_t runs, const std::string& what, const std::string& first) {
     if (runs > 0)
       std::fprintf(
           stderr, "%s\n",
           noticeLine("sweep", std::to_string(runs) + what + "; the first is " + first).c_str());
   };
-  tell(outcome.refused, " runs have no result", outcome.first_refusal);
-  tell(outcome.doubtful, " runs may be wrong by more than they should", outcome.first_doubt);
+  notify(outcome.refused, " runs have no result", outcome.first_refusal);
+  notify(outcome.doubtful, " runs may be wrong by more than they should", outcome.first_doubt);
   const std::int64_t all = shard_.runsOf(info_.runs);
   if (kept + outcome.written == all) return;
   std::fprintf(stderr,

@@ -69,9 +69,9 @@ std::string sweepHelp() {
   return R"(usage: sweep SCENE STUDY [options]
        sweep merge DIR ... [--out DIR]
        sweep --run K SCENE STUDY [options]
-Runs a scene many times, its values varied as the study says: what happens for the masses, pushes and
-motors that are not known exactly. Writes a row per run, what their distributions are, and a plot.
-doc/sweep.md has the keys of a study and a job file for each launcher.
+Runs a scene many times, its values varied as the study says: what happens where masses, pushes and
+motors are not known exactly. Writes a row per run, a summary of the distributions, and a plot.
+doc/sweep.md explains the keys of a study and has a job file for each launcher.
 
   --runs N      in place of the study's, without its grids
   --seed S      in place of the study's

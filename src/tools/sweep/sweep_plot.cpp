@@ -14,11 +14,11 @@ namespace {
 
 /// Records first, else the place of the first body; those that vary.
 std::vector<std::size_t> shownResults(const SweepSummary& summary) {
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMax = 3;
   std::vector<std::size_t> shown;
   const std::size_t end = summary.results.size() - 2;
   const std::size_t first = summary.records > 0 ? end - summary.records : 0;
-  for (std::size_t k = first; k < end && shown.size() < kMost; ++k)
+  for (std::size_t k = first; k < end && shown.size() < kMax; ++k)
     if (summary.results[k].count > 1 && summary.results[k].least < summary.results[k].greatest)
       shown.push_back(k);
   return shown;
@@ -39,8 +39,8 @@ void writeHistogram(const ColumnSummary& column, std::ostream& script) {
 }
 
 void writePoints(const ColumnSummary& x, const ColumnSummary& y, std::ostream& script) {
-  constexpr std::size_t kMost = 600;
-  for (std::size_t i = 0; i < std::min(y.kept.size(), kMost); ++i)
+  constexpr std::size_t kMax = 600;
+  for (std::size_t i = 0; i < std::min(y.kept.size(), kMax); ++i)
     if (!std::isnan(x.kept[i]) && !std::isnan(y.kept[i]))
       script << numberText(x.kept[i]) << ' ' << numberText(y.kept[i]) << '\n';
 }

@@ -51,9 +51,9 @@ void SweepPool::work(SweepRunner& runner) {
 /// The next runs; false where there are none. Waits while much is finished that one before holds
 /// up: what is held up must not fill the memory.
 bool SweepPool::take(std::int64_t size, Block& block) {
-  constexpr std::size_t kMostBytes = 64 << 20;
+  constexpr std::size_t kMaxBytes = 64 << 20;
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [&] { return waiting_bytes_ < kMostBytes || failure_ || stop_; });
+  changed_.wait(lock, [&] { return waiting_bytes_ < kMaxBytes || failure_ || stop_; });
   if (failure_ || stop_ || next_ >= end_) return false;
   block.first = next_;
   block.end = next_ = std::min(next_ + size, end_);

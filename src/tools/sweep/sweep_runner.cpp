@@ -11,8 +11,8 @@
 #include "scene/study/read_record.hpp"
 #include "tools/common/motion_numbers.hpp"
 #include "tools/common/state_at.hpp"
+#include "tools/sweep/error_report.hpp"
 #include "tools/sweep/solved_step.hpp"
-#include "tools/sweep/told_error.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -36,7 +36,7 @@ void appendField(double x, std::string& row) {
 }
 
 /// The end of a row that is a result.
-void appendError(const ToldError& error, std::int64_t number, RunRows& rows) {
+void appendError(const ErrorReport& error, std::int64_t number, RunRows& rows) {
   if (error.estimate) {
     appendField(error.estimate->attitude, rows.row);
     appendField(error.estimate->position, rows.row);
@@ -219,7 +219,7 @@ void SweepRunner::simulate(Built built, bool with_fan, std::int64_t number, RunR
     appendRecords(recorder->values(Simulation(again->world, again->initial), end.t), rows.row);
   else if (recorder)
     appendRecords(recorder->values(run, 0), rows.row);
-  appendError(solved ? ToldError{ErrorEstimate(), ""} : toldError(run, duration), number, rows);
+  appendError(solved ? ErrorReport{ErrorEstimate(), ""} : errorReport(run, duration), number, rows);
   if (with_fan) rows.fan = std::to_string(number) + fan + "\n";
 }
 

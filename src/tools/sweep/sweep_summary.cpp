@@ -167,10 +167,10 @@ std::string summaryTable(const SweepSummary& summary) {
   // the last two results are the estimated errors
   const std::size_t end = summary.results.size() - 2;
   const std::size_t first = summary.records > 0 ? end - summary.records : 0;
-  constexpr std::size_t kMostRows = 60;
-  for (std::size_t k = first; k < std::min(end, first + kMostRows); ++k)
+  constexpr std::size_t kMaxRows = 60;
+  for (std::size_t k = first; k < std::min(end, first + kMaxRows); ++k)
     if (summary.results[k].count > 0) table += tableRow(summary, summary.results[k], k);
-  if (end > first + kMostRows) table += "  ... summary.csv has the others\n";
+  if (end > first + kMaxRows) table += "  ... summary.csv has the others\n";
   return table;
 }
 

@@ -23,8 +23,8 @@ std::string tradeHelp() {
 Measures what accuracy costs on a scene: runs it with every integrator that supports it, over a ladder
 of time steps, against a reference that two independent methods agree on. Prints the table and the
 setting that does the least work within the error budget, as keys to replace in the scene. With
-contact, auto alone advances a scene: it is run over a ladder of tolerances, and the reference is auto
-at 1e-10, of which two runs tell until when the motion can be known at all.
+contact the scene is run under auto over a ladder of tolerances; the reference is auto at 1e-10, and two
+more runs show its error, and until when the motion can be known at all.
 
   --duration S      simulated time [s]; default: the scene's horizon
   --error-budget X  bound on the attitude error [rad] and on the position error relative to the
@@ -35,11 +35,11 @@ at 1e-10, of which two runs tell until when the motion can be known at all.
   --help            this text
 
 CSV columns: integrator,time_step,attitude_error,position_error,energy_error,
-angular_momentum_error,cpu_ns_per_sim_s,force_evaluations and, with contact, tolerance. Errors are the worst of all bodies and
-instants: attitude [rad]; position relative to the path; energy of all bodies relative to their
-greatest kinetic energy; angular momentum relative to its greatest. Processor time is that of the
-steps, in nanoseconds per simulated second; evaluations are those of the whole run. Rows are written
-as they are measured, so an interrupted run leaves a valid file. The plot needs gnuplot.
+angular_momentum_error,cpu_ns_per_sim_s,force_evaluations and, with contact, tolerance. Errors are the
+worst of all bodies and instants: attitude [rad]; position relative to the path; energy of all bodies
+relative to their greatest kinetic energy; angular momentum relative to its greatest. Processor time is
+that of the steps, in nanoseconds per simulated second; evaluations are those of the whole run. Rows are
+written as they are measured, so an interrupted run leaves a valid file. The plot needs gnuplot.
 
 Work is counted, in evaluations weighted by what a step of each integrator costs, and not timed, so
 that the same scene gives the same advice every time. Of settings that do equal work, as where a

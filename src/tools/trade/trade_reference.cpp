@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kInstants = 200;  // at which motions are compared
 // bound on the work of one run, in steps of strang with one body: seconds
-constexpr double kMaxWork = 1e7;
+constexpr double kMaxReferenceWork = 1e7;
 
 using Track = std::vector<State>;
 
@@ -47,7 +47,7 @@ Run runOf(const World& world, const State& initial, const std::string& integrato
           int divisions) {
   Simulation simulation(withSolver(world, integrator, duration / kInstants / divisions), initial);
   const Method& method = methodNamed(integrator);
-  const double most_evaluations = 2 * kMaxWork / method.cost * method.evaluations;
+  const double most_evaluations = 2 * kMaxReferenceWork / method.cost * method.evaluations;
   Track track{initial};
   for (int k = 0; k < kInstants; ++k) {
     for (int i = 0; i < divisions; ++i) {
@@ -72,12 +72,12 @@ Track refined(const World& world, const State& initial, const std::string& integ
   Track best;
   Run last{{}, 0};
   double least = std::numeric_limits<double>::infinity();
-  for (int divisions = 1; divisions == 1 || divisions * work < kMaxWork; divisions *= 2) {
+  for (int divisions = 1; divisions == 1 || divisions * work < kMaxReferenceWork; divisions *= 2) {
     Run run;
     try {
       run = runOf(world, initial, integrator, duration, divisions);
     } catch (const SimulationDiverged&) {
-      if (2 * divisions * work >= kMaxWork && best.empty()) throw;
+      if (2 * divisions * work >= kMaxReferenceWork && best.empty()) throw;
       continue;
     }
     // an integrator that divides long steps by itself would only agree with itself

@@ -226,6 +226,18 @@ TEST(MediumDrag, BeyondNumbersIsNamedWithWhatToDo) {
               "than numbers reach; weaker drag is needed");
 }
 
+TEST(Buoyancy, BeyondNumbersIsNamedWithWhatToDo) {
+  Bench bench;
+  bench.world.g_W = kStiffGravity;
+  bench.add(test::principalBody("ball", 2, {0.1, 0.15, 0.2}),
+            test::tumbling(kStiffStart, Vector3d::Zero()));
+  bench.world.laws.push_back(
+      std::make_shared<Buoyancy>(0, 1e308, Vector3d(1e10, 0, 0), kStiffGravity));
+  EXPECT_EQ(divergenceOf(bench, 0.01),
+            "t = 0 s: body 'ball': the motion is too fast to be followed: buoyancy turns it faster "
+            "than numbers reach; less buoyancy, or a centre nearer to that of mass, is needed");
+}
+
 TEST(SteppedLaws, TooStiffToBeFollowedAreNamedWithWhatToDo) {
   const Spring::End body{0, {0.1, 0, 0}}, world{kWorld, {0, 0, 3}};
   Coefficients linear, quadratic;

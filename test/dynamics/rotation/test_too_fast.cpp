@@ -20,6 +20,11 @@ TEST(SolvedMotion, SaysWhatIsTooFastForAStep) {
   EXPECT_EQ(tooFastText({body, wrench, g_W, {}}, state, true),
             "the motion is too fast to be followed: drag slows it down at 10/s; weaker drag is "
             "needed");
+  load.lift_W = {0, 0, 1000};
+  load.lift_arm_P = {1, 0, 0};  // √(1000 N · 1 m / 0.1 kg m²)
+  EXPECT_EQ(tooFastText({body, wrench, g_W, {}}, state, false),
+            "the motion is too fast to be followed: buoyancy turns it at 100 rad/s; a shorter "
+            "time_step or less buoyancy, or a centre nearer to that of mass, is needed");
 }
 
 }  // namespace rigid_body_sim

@@ -1,8 +1,11 @@
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
+#include <rigid_body_sim/dynamics/tether.hpp>
 
 #include "support/law_benches.hpp"
 
@@ -29,6 +32,20 @@ TEST(DescribeSolution, NamesTheRotorOfAFreeBody) {
   EXPECT_EQ(lines({2, 2, 2}), Lines{"wing_nut: free, spherical, exact"});
 }
 
+TEST(DescribeSolution, SaysHowABodyIsSteppedOnceATetherActs) {
+  const auto lineOf = [](double length, const char* integrator) {
+    Bench bench = freeBody({2, 2, 2});
+    bench.world.laws.push_back(std::make_shared<Tether>(Spring::End{kWorld, {0, 0, 1}},
+                                                        Spring::End{0, {0, 0, 0}},
+                                                        Tether::Constants{100, 1, length}));
+    return describeSolution(bench.simulation(integrator, 0.01)).at(0);
+  };
+  const std::string later = "dop853 by its own error estimates";
+  EXPECT_EQ(lineOf(2, "auto"), "wing_nut: tether, spherical, exact; once tether acts, " + later);
+  EXPECT_EQ(lineOf(0.5, "auto").find("once"), std::string::npos);
+  EXPECT_EQ(lineOf(2, "rk4"), "wing_nut: tether, rk4 in steps of 10 ms");
+}
+
 // A difference grows by e^(λt), λ = ω √((I₂ − I₁)(I₃ − I₂)/(I₁ I₃)) = 1.73/s, until it has turned.
 TEST(DescribeMagnification, SpeaksOfAFreeRotationNearTheUnstableAxis) {
   const auto after = [](const Vector3d& w, int seconds) {
@@ -41,8 +58,8 @@ TEST(DescribeMagnification, SpeaksOfAFreeRotationNearTheUnstableAxis) {
   const Vector3d middle(0, 3, 0), stable(0, 0, 3), tumbles(1, 2, 3);
   EXPECT_EQ(after(middle, 7), "");  // 2e5
   EXPECT_EQ(after(middle, 12),      // 1e9
-            "the motion of body 'wing_nut' magnifies a difference at its start, rounding, "
-            "too, 10^9 times by now: it is that of its start to the last digit, and no body starts "
+            "the motion of body 'wing_nut' has magnified differences of its start, rounding among "
+            "them, 10^9 times by now: it is exact for this start, but no real body starts "
             "so exactly");
   EXPECT_EQ(after(stable, 1000), "");
   EXPECT_EQ(after(tumbles, 1000), "");
@@ -65,7 +82,7 @@ TEST(DescribeInstability, SpeaksOfAPendulumUpsideDown) {
     return describeInstability(sim, start);
   };
   EXPECT_EQ(after(0, 4), "");  // 5e6
-  EXPECT_EQ(after(0, 6).rfind("the motion of body 'rod' magnifies a difference at its start", 0),
+  EXPECT_EQ(after(0, 6).rfind("the motion of body 'rod' has magnified differences of its start", 0),
             0U)
       << after(0, 6);
   EXPECT_EQ(after(M_PI, 40), "");  // hanging

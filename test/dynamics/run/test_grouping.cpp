@@ -239,6 +239,18 @@ TEST(Simulation, RefusesWorldsAndStatesThatBreakARule) {
               b.addDrag(0, {2, 0, 0});
             }),
             "law 'drag': body 'a' has one already");
+  EXPECT_EQ(fault([](Bench& b) { b.world.laws.push_back(nullptr); }), "a law must not be null");
+  const auto faultOfFixed = [&](const auto& change) {
+    return fault([&](Bench& b) {
+      b.world.bodies[3].fixed = true;
+      change(b.initial.bodies[3]);
+    });
+  };
+  EXPECT_EQ(faultOfFixed([](BodyState&) {}), "taken");
+  EXPECT_EQ(faultOfFixed([](BodyState& s) { s.x_W.y() = NAN; }),
+            "body 'd': position must be finite");
+  EXPECT_EQ(faultOfFixed([](BodyState& s) { s.q_WP.coeffs() *= 2; }),
+            "body 'd': attitude must be a unit quaternion: norm 1, got 2");
 }
 
 // n bodies and n wrenches in time that grows as n: a million pairs would not end.

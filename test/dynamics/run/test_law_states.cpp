@@ -57,7 +57,7 @@ TEST(LawStates, MustTellOneOfTheModesOfTheirLaw) {
       State forged = state;
       forged.laws[mode] = impossible;
       EXPECT_EQ(faultOfState(sim, forged), "law " + std::to_string(law) + " (" + of.name() +
-                                               "): its states must tell one of its modes");
+                                               "): its states must be those of one of its modes");
     }
     first += of.stateCount();
   }

@@ -23,7 +23,7 @@ NodeDriver::NodeDriver(const std::vector<std::string>& bodies) : bodies_(bodies)
   reset_ = nh_.serviceClient<std_srvs::Trigger>(service("reset"), true);
   constexpr std::uint32_t kQueueSize = 100000;
   for (const std::string& body : bodies_) {
-    const boost::function<void(const nav_msgs::Odometry&)> hear =
+    const boost::function<void(const nav_msgs::Odometry&)> receive =
         [this, body](const nav_msgs::Odometry& message) {
           const nav_msgs::Odometry before = odometry_[body];
           odometry_[body] = message;
@@ -37,15 +37,15 @@ NodeDriver::NodeDriver(const std::vector<std::string>& bodies) : bodies_(bodies)
           stamps_.push_back(message.header.stamp);
           was_reset_ = false;
         };
-    subscribers_.push_back(nh_.subscribe<nav_msgs::Odometry>(body + "/odom", kQueueSize, hear));
+    subscribers_.push_back(nh_.subscribe<nav_msgs::Odometry>(body + "/odom", kQueueSize, receive));
   }
-  const boost::function<void(const tf2_msgs::TFMessage&)> hear =
+  const boost::function<void(const tf2_msgs::TFMessage&)> receive =
       [this](const tf2_msgs::TFMessage& message) {
         transforms_at_once_ = message.transforms.size();
         for (const auto& transform : message.transforms)
           transforms_[transform.child_frame_id] = transform;
       };
-  subscribers_.push_back(nh_.subscribe<tf2_msgs::TFMessage>("/tf", kQueueSize, hear));
+  subscribers_.push_back(nh_.subscribe<tf2_msgs::TFMessage>("/tf", kQueueSize, receive));
 }
 
 bool NodeDriver::waitFor(const std::function<bool()>& condition, double seconds) {
@@ -62,16 +62,16 @@ int NodeDriver::connect() {
     Step call;
     call.request.steps = 1;
     if (!step_.call(call) || !call.response.success) break;
-    if (waitFor([&] { return heardAll(call.response.stamp); }, 0.05)) return steps;
+    if (waitFor([&] { return receivedAll(call.response.stamp); }, 0.05)) return steps;
   }
-  throw std::runtime_error("the node does not step, or is not heard");
+  throw std::runtime_error("the node does not step, or is not received from");
 }
 
 ros::Time NodeDriver::step(unsigned steps) {
   Step call;
   call.request.steps = steps;
   if (!step_.call(call) || !call.response.success) throw std::runtime_error("step failed");
-  if (steps > 0 && !waitFor([&] { return heardAll(call.response.stamp); }))
+  if (steps > 0 && !waitFor([&] { return receivedAll(call.response.stamp); }))
     throw std::runtime_error("a step was not published");
   return call.response.stamp;
 }
@@ -88,7 +88,7 @@ void NodeDriver::reset() {
   was_reset_ = true;
 }
 
-bool NodeDriver::heardAll(const ros::Time& stamp) const {
+bool NodeDriver::receivedAll(const ros::Time& stamp) const {
   for (const std::string& body : bodies_) {
     const auto odometry = odometry_.find(body);
     const auto transform = transforms_.find(body);

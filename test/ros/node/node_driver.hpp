@@ -14,7 +14,7 @@
 
 namespace rigid_body_sim {
 
-/// Drives a node that was started paused, through its services, and hears what it says. Nothing
+/// Drives a node that was started paused, through its services, and receives what it says. Nothing
 /// here sleeps: every wait is for a message.
 class NodeDriver {
  public:
@@ -46,7 +46,7 @@ class NodeDriver {
   std::size_t transformsAtOnce() const { return transforms_at_once_; }
 
  private:
-  bool heardAll(const ros::Time& stamp) const;
+  bool receivedAll(const ros::Time& stamp) const;
 
   ros::NodeHandle nh_;
   std::vector<std::string> bodies_;
@@ -57,7 +57,7 @@ class NodeDriver {
   std::map<std::string, nav_msgs::Odometry> odometry_;
   std::map<std::string, geometry_msgs::TransformStamped> transforms_;
   std::vector<ros::Time> stamps_;
-  bool was_reset_ = false;  // and no later time has been heard since
+  bool was_reset_ = false;  // and no later time has been received since
   std::size_t transforms_at_once_ = 0;
 };
 

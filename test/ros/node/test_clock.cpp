@@ -32,9 +32,9 @@ TEST(Clock, RunsFromZeroAtTheClockRateBesideTheOdometry) {
 TEST(Clock, StartsOverAtOnceWithAResetOfTime) {
   ros::NodeHandle nh;
   std::vector<ros::Time> clock;
-  const boost::function<void(const rosgraph_msgs::Clock&)> hear =
+  const boost::function<void(const rosgraph_msgs::Clock&)> receive =
       [&](const rosgraph_msgs::Clock& message) { clock.push_back(message.clock); };
-  const ros::Subscriber subscriber = nh.subscribe<rosgraph_msgs::Clock>("/clock", 100000, hear);
+  const ros::Subscriber subscriber = nh.subscribe<rosgraph_msgs::Clock>("/clock", 100000, receive);
   const ros::Time late(6);
   ASSERT_TRUE(NodeDriver::waitFor([&] { return !clock.empty() && clock.back() > late; }));
   std_srvs::Trigger reset;

@@ -55,11 +55,11 @@ void pause(const std::string& node, bool data) {
 class Fleet : public ::testing::Test {
  protected:
   Fleet() {
-    const boost::function<void(const nav_msgs::Odometry&)> hear =
+    const boost::function<void(const nav_msgs::Odometry&)> receive =
         [this](const nav_msgs::Odometry& message) { odometry.push_back(message); };
-    subscriber = nh.subscribe<nav_msgs::Odometry>("/second/rotor/odom", 100000, hear);
+    subscriber = nh.subscribe<nav_msgs::Odometry>("/second/rotor/odom", 100000, receive);
     pause(kLeader, true);
-    // until the follower is heard, and has come as near to the clock as it can
+    // until the follower is received from, and has come as near to the clock as it can
     EXPECT_TRUE(NodeDriver::waitFor([&] {
       clock = step(kLeader, 10);
       return NodeDriver::waitFor([&] { return isAtClock(); }, 0.2);
@@ -107,8 +107,8 @@ TEST_F(Fleet, FollowerGoesWithTheClockAndIsTheSameToTheLastBit) {
   }
   // and on the clock's own time
   pause(kLeader, false);
-  const std::size_t heard = odometry.size();
-  ASSERT_TRUE(NodeDriver::waitFor([&] { return odometry.size() > heard + 50; }));
+  const std::size_t received = odometry.size();
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return odometry.size() > received + 50; }));
   pause(kLeader, true);
   clock = step(kLeader, 1);
   ASSERT_TRUE(NodeDriver::waitFor([&] { return isAtClock(); }));
@@ -148,19 +148,18 @@ TEST_F(Fleet, FollowerWithoutAStartTimeBeginsWhereItReceivesTheClock) {
   const boost::function<void(const Input&)> hear_input = [&](const Input& m) {
     inputs.push_back(m);
   };
-  std::vector<nav_msgs::Odometry> heard;
-  const boost::function<void(const nav_msgs::Odometry&)> hear = [&](const nav_msgs::Odometry& m) {
-    heard.push_back(m);
-  };
+  std::vector<nav_msgs::Odometry> received;
+  const boost::function<void(const nav_msgs::Odometry&)> receive =
+      [&](const nav_msgs::Odometry& m) { received.push_back(m); };
   const ros::Subscriber a = nh.subscribe<Input>("/late/rigid_body_node/inputs", 100, hear_input);
-  const ros::Subscriber b = nh.subscribe<nav_msgs::Odometry>("/late/rotor/odom", 100000, hear);
+  const ros::Subscriber b = nh.subscribe<nav_msgs::Odometry>("/late/rotor/odom", 100000, receive);
   ApplyWrench::Request nothing;
   nothing.wrench.header.frame_id = nothing.wrench.body = "rotor";
   nothing.wrench.duration = ros::Duration(0, 1);
   ASSERT_TRUE(NodeDriver::waitFor([&] {
     call<ApplyWrench>("/late/rigid_body_node/apply_wrench", nothing);
     clock = step(kLeader, 1);
-    return !inputs.empty() && !heard.empty();
+    return !inputs.empty() && !received.empty();
   }));
   // where its zero lies: on a time that the clock has shown, and that time is past
   TimeOrigin origin;
@@ -168,10 +167,10 @@ TEST_F(Fleet, FollowerWithoutAStartTimeBeginsWhereItReceivesTheClock) {
                         static_cast<std::uint64_t>(std::llround(inputs.back().time * 1e9)));
   EXPECT_EQ(origin.start.toNSec() % 1000000, 0U);  // the leader's clock has 1000 Hz
   EXPECT_LE(origin.start, clock);
-  const nav_msgs::Odometry expected = expectedAt(heard.back().header.stamp, origin);
+  const nav_msgs::Odometry expected = expectedAt(received.back().header.stamp, origin);
   // wrenches of nothing part the motion: it rounds elsewhere
-  EXPECT_NEAR(heard.back().pose.pose.orientation.x, expected.pose.pose.orientation.x, 1e-12);
-  EXPECT_NEAR(heard.back().pose.pose.position.y, expected.pose.pose.position.y, 1e-12);
+  EXPECT_NEAR(received.back().pose.pose.orientation.x, expected.pose.pose.orientation.x, 1e-12);
+  EXPECT_NEAR(received.back().pose.pose.position.y, expected.pose.pose.position.y, 1e-12);
 }
 
 TEST_F(Fleet, SaysThatTwoNodesPublishTheClock) {

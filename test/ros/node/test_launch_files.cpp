@@ -51,13 +51,13 @@ class Launched {
 /// Whether the body that is launched says where it is, and goes on to say so.
 bool movesWhenLaunched(const std::vector<std::string>& arguments) {
   ros::NodeHandle nh;
-  int heard = 0;
-  const boost::function<void(const nav_msgs::Odometry&)> hear = [&](const nav_msgs::Odometry&) {
-    ++heard;
+  int received = 0;
+  const boost::function<void(const nav_msgs::Odometry&)> receive = [&](const nav_msgs::Odometry&) {
+    ++received;
   };
-  const ros::Subscriber subscriber = nh.subscribe<nav_msgs::Odometry>("/box/odom", 100, hear);
+  const ros::Subscriber subscriber = nh.subscribe<nav_msgs::Odometry>("/box/odom", 100, receive);
   const Launched launched(arguments);
-  return NodeDriver::waitFor([&] { return heard > 2; });
+  return NodeDriver::waitFor([&] { return received > 2; });
 }
 
 /// How a launch file starts rviz.
@@ -140,14 +140,14 @@ TEST(LaunchFiles, StartAFleetWhereItsNodesHadOtherParameters) {
   ros::param::set("/first/rigid_body_node/scene", "time_step: 1");
   ros::param::set("/second/rigid_body_node/scene", "time_step: 1");
   ros::NodeHandle nh;
-  int heard = 0;
-  const boost::function<void(const nav_msgs::Odometry&)> hear = [&](const nav_msgs::Odometry&) {
-    ++heard;
+  int received = 0;
+  const boost::function<void(const nav_msgs::Odometry&)> receive = [&](const nav_msgs::Odometry&) {
+    ++received;
   };
   const ros::Subscriber subscriber =
-      nh.subscribe<nav_msgs::Odometry>("/second/top/odom", 100, hear);
+      nh.subscribe<nav_msgs::Odometry>("/second/top/odom", 100, receive);
   const Launched launched({"fleet.launch"});
-  EXPECT_TRUE(NodeDriver::waitFor([&] { return heard > 2; }));
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return received > 2; }));
 }
 
 TEST(LaunchFiles, ShowInRvizWhatTheirNodesPublish) {
@@ -207,6 +207,19 @@ TEST(LaunchFiles, PassOnEveryParameterOfTheNode) {
     for (const std::string& line : expected)
       EXPECT_NE(parameters.find(line), std::string::npos) << file << ": " << line << parameters;
   }
+}
+
+// roslaunch lists arguments whose default is empty as required, and prints blanks as they are.
+TEST(LaunchFiles, SayWhichArgumentsAreOptionalInOneLineEach) {
+  std::istringstream lines(test::runCommand("roslaunch --ros-args rigid_body_sim sim.launch").out);
+  std::vector<std::string> required;
+  for (std::string line; std::getline(lines, line) && line != "Optional Arguments:";) {
+    EXPECT_EQ(line.find("  ", 2), std::string::npos) << line;
+    if (line.find(": optional: ") == std::string::npos) required.push_back(line);
+  }
+  ASSERT_EQ(required.size(), 2U);
+  EXPECT_EQ(required[0], "Required Arguments:");
+  EXPECT_EQ(required[1].find("  scene: "), 0U);
 }
 
 TEST(LaunchFiles, LetRvizStandInTheWorldFrameOfTheScene) {

@@ -10,14 +10,14 @@
 #include <rigid_body_sim/SimStatus.h>
 #include <rigid_body_sim/Step.h>
 
-#include "doors.hpp"
+#include "node_beside_core.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-class MonitorTopics : public Doors {
+class MonitorTopics : public NodeBesideCore {
  protected:
   MonitorTopics() {
     const boost::function<void(const SimStatus&)> hear_status = [this](const SimStatus& message) {

@@ -103,7 +103,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{SCENE " _publish_rat:=1", "~publish_rat: unknown, got '1'; known: body_topics"},
         Refusal{SCENE " _publish_clock:=true", "~publish_clock: must be false unless"},
         Refusal{SCENE " _reset_time:=true", "~reset_time: must be false unless ~publish_clock"},
-        Refusal{SCENE " _start_time:=-1", "~start_time: must be a time >= 0 s that ROS can tell"},
+        Refusal{SCENE " _start_time:=-1",
+                "~start_time: must be a time >= 0 s that ROS can represent"},
         Refusal{"__name:=box " SCENE, "body 'box': name must not be that of the node"},
         Refusal{"_scene_file:=absent.yaml", "absent.yaml: cannot be opened"},
         Refusal{"_scene:=/tmp/top.yaml", "a path belongs in ~scene_file, got '/tmp/top.yaml'"},
@@ -199,11 +200,11 @@ wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}
 TEST(Node, SaysThatItWaitsForAClockThatNobodySends) {
   ros::NodeHandle nh;
   bool told = false;
-  const boost::function<void(const rosgraph_msgs::Log&)> hear =
+  const boost::function<void(const rosgraph_msgs::Log&)> receive =
       [&](const rosgraph_msgs::Log& message) {
         told = told || message.msg.find("waiting for /clock") == 0;
       };
-  const ros::Subscriber log = nh.subscribe<rosgraph_msgs::Log>("/rosout", 100, hear);
+  const ros::Subscriber log = nh.subscribe<rosgraph_msgs::Log>("/rosout", 100, receive);
   ros::param::set("/use_sim_time", true);
   const pid_t child = startNode(freshName());
   EXPECT_TRUE(NodeDriver::waitFor([&] { return told; }));

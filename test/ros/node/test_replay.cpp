@@ -54,21 +54,22 @@ Step::Request steps(std::uint32_t count) {
 class Replay : public ::testing::Test {
  protected:
   Replay() {
-    hear<Input>(kNode + "inputs", [this](const Input& message) { inputs.push_back(message); });
-    hear<BodyStates>(kNode + "states", [this](const BodyStates& m) { states[m.header.stamp] = m; });
+    receive<Input>(kNode + "inputs", [this](const Input& message) { inputs.push_back(message); });
+    receive<BodyStates>(kNode + "states",
+                        [this](const BodyStates& m) { states[m.header.stamp] = m; });
     for (const std::string body : {"box", "canary"}) {
-      hear<nav_msgs::Odometry>("/" + body + "/odom", [this, body](const nav_msgs::Odometry& m) {
+      receive<nav_msgs::Odometry>("/" + body + "/odom", [this, body](const nav_msgs::Odometry& m) {
         odometry[{body, m.header.stamp}] = m;
       });
-      hear<geometry_msgs::WrenchStamped>("/" + body + "/applied_wrench",
-                                         [this, body](const geometry_msgs::WrenchStamped& m) {
-                                           applied[{body, m.header.stamp}] = m;
-                                         });
+      receive<geometry_msgs::WrenchStamped>("/" + body + "/applied_wrench",
+                                            [this, body](const geometry_msgs::WrenchStamped& m) {
+                                              applied[{body, m.header.stamp}] = m;
+                                            });
     }
   }
 
   template <class Message, class Function>
-  void hear(const std::string& topic, const Function& f) {
+  void receive(const std::string& topic, const Function& f) {
     subscribers.push_back(
         nh.subscribe<Message>(topic, 100000,
                               boost::function<void(const boost::shared_ptr<const Message>&)>(
@@ -83,7 +84,7 @@ class Replay : public ::testing::Test {
            has(applied, "box") && has(applied, "canary");
   }
 
-  /// Until every topic is heard; then starts time over.
+  /// Until every topic is received; then starts time over.
   void connect() {
     AppliedWrench nothing;
     nothing.header.frame_id = "world";
@@ -145,13 +146,13 @@ TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
   first.wrench = general("box", 1);
   EXPECT_TRUE(callNode<ApplyWrench>("apply_wrench", first).success);
 
-  // messages on both doors, arriving whenever they do, and every service between
+  // messages on both wrench topics, arriving whenever they do, and every service between
   callNode<std_srvs::SetBool>("pause", flag(false));
   for (int i = 0; i < 40; ++i) {
     for (const char* frame : {"world", "box", "box/tip"}) box.publish(everyday(frame, i));
     any.publish(general(i % 2 == 0 ? "world" : "box/tip", i));
-    const std::size_t heard = states.size();
-    ASSERT_TRUE(NodeDriver::waitFor([&] { return states.size() > heard; }));
+    const std::size_t received = states.size();
+    ASSERT_TRUE(NodeDriver::waitFor([&] { return states.size() > received; }));
     if (i == 20) {
       SetState::Request set;
       set.body = set.frame = "canary";
@@ -184,7 +185,7 @@ TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
   ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << command;
 
   // the states at time zero and after the first step came before connect() had cleared what it
-  // heard
+  // received
   const ros::Time first_heard = states.begin()->first;
   std::size_t states_same = 0, odometry_same = 0, applied_same = 0;
   std::size_t states_repeated = 0, odometry_repeated = 0, applied_repeated = 0;

@@ -16,16 +16,17 @@ TEST(Reset, RaisesNoWarningAboutTfWhileTimeRunsOn) {
   tf2_ros::Buffer buffer;
   const tf2_ros::TransformListener listener(buffer);
   std::vector<std::string> warnings;
-  const boost::function<void(const rosgraph_msgs::Log&)> hear = [&](const rosgraph_msgs::Log& log) {
-    if (log.level >= rosgraph_msgs::Log::WARN) warnings.push_back(log.name + ": " + log.msg);
-  };
-  const ros::Subscriber rosout = nh.subscribe<rosgraph_msgs::Log>("/rosout", 1000, hear);
+  const boost::function<void(const rosgraph_msgs::Log&)> receive =
+      [&](const rosgraph_msgs::Log& log) {
+        if (log.level >= rosgraph_msgs::Log::WARN) warnings.push_back(log.name + ": " + log.msg);
+      };
+  const ros::Subscriber rosout = nh.subscribe<rosgraph_msgs::Log>("/rosout", 1000, receive);
   const ros::Publisher wrench = nh.advertise<geometry_msgs::WrenchStamped>("box/wrench", 1);
 
   driver.pause(false);
   for (int i = 0; i < 20; ++i) {
-    const std::size_t heard = driver.stamps().size();
-    ASSERT_TRUE(NodeDriver::waitFor([&] { return driver.stamps().size() > heard + 3; }));
+    const std::size_t received = driver.stamps().size();
+    ASSERT_TRUE(NodeDriver::waitFor([&] { return driver.stamps().size() > received + 3; }));
     driver.reset();
   }
   driver.pause(true);
@@ -35,7 +36,7 @@ TEST(Reset, RaisesNoWarningAboutTfWhileTimeRunsOn) {
   for (std::size_t i = 1; i < driver.stamps().size(); ++i)
     ASSERT_LT(driver.stamps()[i - 1], driver.stamps()[i]) << "message " << i;
 
-  // the log is heard, and has come so far: a wrench that is refused is the only warning
+  // the log is received, and has come so far: a wrench that is refused is the only warning
   ASSERT_TRUE(NodeDriver::waitFor([&] {
     wrench.publish(geometry_msgs::WrenchStamped());
     return !warnings.empty();

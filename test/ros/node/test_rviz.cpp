@@ -8,7 +8,7 @@
 
 #include <rigid_body_sim/ClearWrenches.h>
 
-#include "doors.hpp"
+#include "node_beside_core.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -39,7 +39,7 @@ class Viewer {
     return !handles.empty() && feedback_.getNumSubscribers() > 0;
   }
 
-  /// Whether a handle has been put back: then the node has heard of its release.
+  /// Whether a handle has been put back: then the node knows of its release.
   bool isPutBack() {
     client_.update();
     return !put_back.empty();
@@ -81,7 +81,7 @@ class Viewer {
 class Picture {
  public:
   Picture() {
-    const boost::function<void(const MarkerArray&)> hear = [this](const MarkerArray& message) {
+    const boost::function<void(const MarkerArray&)> receive = [this](const MarkerArray& message) {
       ++messages;
       for (const Marker& marker : message.markers) {
         std::map<int, Marker>& group = markers[marker.ns];
@@ -91,7 +91,7 @@ class Picture {
           group[marker.id] = marker;
       }
     };
-    subscriber_ = nh_.subscribe<MarkerArray>("rigid_body_node/markers", 1000, hear);
+    subscriber_ = nh_.subscribe<MarkerArray>("rigid_body_node/markers", 1000, receive);
   }
 
   std::size_t count(const std::string& name_space) const {
@@ -107,7 +107,7 @@ class Picture {
   ros::Subscriber subscriber_;
 };
 
-class Rviz : public Doors {
+class Rviz : public NodeBesideCore {
  protected:
   /// Steps until a condition holds; false after a generous number.
   bool stepUntil(const std::function<bool()>& condition) {
@@ -157,7 +157,7 @@ class Rviz : public Doors {
 
 TEST_F(Rviz, ArrowsComeWithWrenchesAndGoWithThem) {
   Picture picture;
-  // the bodies, latched: nothing has moved since the node heard of the subscriber
+  // the bodies, latched: nothing has moved since the node knew of the subscriber
   ASSERT_TRUE(NodeDriver::waitFor([&] { return picture.messages > 0; }));
   EXPECT_EQ(picture.count("box"), 1U);
   EXPECT_EQ(picture.count("wrench/force"), 0U);

@@ -34,12 +34,12 @@ void PrintTo(const Pace& pace, std::ostream* out) { *out << pace.bodies << ", " 
 class SameBytes : public ::testing::TestWithParam<Pace> {
  protected:
   SameBytes() : node(std::string("/") + GetParam().bodies + "/" + GetParam().name + "/") {
-    const boost::function<void(const BodyStates&)> hear = [this](const BodyStates& message) {
+    const boost::function<void(const BodyStates&)> receive = [this](const BodyStates& message) {
       received.push_back(message);
     };
-    subscriber = nh.subscribe<BodyStates>(node + "states", 100000, hear);
+    subscriber = nh.subscribe<BodyStates>(node + "states", 100000, receive);
     EXPECT_TRUE(ros::service::waitForService(node + "step", 20000));
-    // steps until it is heard; no wrench acts so soon
+    // steps until it is received; no wrench acts so soon
     origin.start = step(0);
     EXPECT_TRUE(NodeDriver::waitFor([this] {
       const ros::Time stamp = step(1);

@@ -55,8 +55,8 @@ TEST_F(Services, StepIsRefusedWhileTheSimulationRuns) {
 
 TEST_F(Services, PauseSilencesEveryTopicUntilTheNextStep) {
   driver.pause(false);
-  const std::size_t heard = driver.stamps().size();
-  ASSERT_TRUE(NodeDriver::waitFor([&] { return driver.stamps().size() > heard + 50; }));
+  const std::size_t received = driver.stamps().size();
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return driver.stamps().size() > received + 50; }));
   driver.pause(true);
   const ros::Time paused_at = driver.step(0);
   const ros::Time next = driver.step(1);

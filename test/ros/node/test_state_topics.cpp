@@ -7,12 +7,12 @@
 #include <rigid_body_sim/GetState.h>
 #include <rigid_body_sim/SetState.h>
 
-#include "doors.hpp"
+#include "node_beside_core.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-class StateTopics : public Doors {
+class StateTopics : public NodeBesideCore {
  protected:
   StateTopics() {
     const boost::function<void(const BodyStates&)> hear_states = [this](const BodyStates& message) {
@@ -23,22 +23,22 @@ class StateTopics : public Doors {
     subscribers.push_back(nh.subscribe<BodyStates>("rigid_body_node/states", 1000, hear_states));
     subscribers.push_back(
         nh.subscribe<geometry_msgs::WrenchStamped>("box/applied_wrench", 1000, hear_wrench));
-    bool heard = false;
-    for (int i = 0; i < 1000 && !heard; ++i) {
+    bool received = false;
+    for (int i = 0; i < 1000 && !received; ++i) {
       stepBoth(1);
-      heard = NodeDriver::waitFor([this] { return heardAll(); }, 0.05);
+      received = NodeDriver::waitFor([this] { return receivedAll(); }, 0.05);
     }
-    EXPECT_TRUE(heard);
+    EXPECT_TRUE(received);
   }
 
-  bool heardAll() const {
+  bool receivedAll() const {
     const ros::Time stamp = driver.odometry("box").header.stamp;
     return states.header.stamp == stamp && wrench.header.stamp == stamp;
   }
 
   void stepAndHear(int steps) {
     stepBoth(steps);
-    ASSERT_TRUE(NodeDriver::waitFor([this] { return heardAll(); }));
+    ASSERT_TRUE(NodeDriver::waitFor([this] { return receivedAll(); }));
   }
 
   void expectWrench(const Vector3d& f_B, const Vector3d& tau_B) const {

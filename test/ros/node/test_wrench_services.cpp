@@ -5,7 +5,7 @@
 #include <rigid_body_sim/ClearWrenches.h>
 #include <rigid_body_sim/StateFile.h>
 
-#include "doors.hpp"
+#include "node_beside_core.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace rigid_body_sim {
@@ -31,7 +31,7 @@ ClearWrenches::Response clear(const std::string& body, const std::string& id) {
   return call.response;
 }
 
-class WrenchServices : public Doors {
+class WrenchServices : public NodeBesideCore {
  protected:
   AppliedWrench lasting(const std::string& body, const std::string& id) const {
     AppliedWrench message = generalMessage();
@@ -197,7 +197,7 @@ TEST_F(WrenchServices, ClearRefusesAnUnknownBody) {
   EXPECT_EQ(clear("nobody", "").message, "unknown body 'nobody'");
 }
 
-TEST_F(WrenchServices, EverydayDoorTakesAFrameThatTfHangsOnTheBody) {
+TEST_F(WrenchServices, EverydayTopicTakesAFrameThatTfHangsOnTheBody) {
   Isometry3d X_BF = Isometry3d::Identity();
   X_BF.translation() = Vector3d(0.2, -0.3, 0.4);
   X_BF.linear() = Quaterniond(0.5, 0.5, -0.5, 0.5).toRotationMatrix();

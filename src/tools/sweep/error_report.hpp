@@ -7,8 +7,8 @@
 
 namespace rigid_body_sim {
 
-/// What a run that is not solved tells of its error, of which trackError keeps account.
-struct ToldError {
+/// What a run that is not solved reports of its error, which trackError estimates.
+struct ErrorReport {
   /// The columns; none where nothing could be compared.
   std::optional<ErrorEstimate> estimate;
   /// Why it may be wrong by more than it should; empty: it is not known to be.
@@ -16,6 +16,6 @@ struct ToldError {
 };
 
 /// At an end [s] that the run has come to, by whole steps or within the next.
-ToldError toldError(const Simulation& run, double end);
+ErrorReport errorReport(const Simulation& run, double end);
 
 }  // namespace rigid_body_sim

@@ -13,7 +13,7 @@ namespace {
 
 using test::Bench;
 
-constexpr double kForeseenStep = 0.01;
+constexpr double kReadStep = 0.01;
 
 PointWrench drawWrench(Draw& draw, std::size_t body, double now) {
   PointWrench push;
@@ -58,7 +58,7 @@ void disturb(Draw& draw, Simulation& sim) {
   if (what > 0.1 && what < 0.11) sim.trackBalance();
   if (what > 0.11 && what < 0.12) sim.trackError();
   if (what > 0.12 && what < 0.14) sim.stopTracking();
-  if (what > 0.14 && what < 0.15) sim.sample(sim.time() + draw.uniform(0, kForeseenStep));
+  if (what > 0.14 && what < 0.15) sim.sample(sim.time() + draw.uniform(0, kReadStep));
 }
 
 void expectSameBits(const State& a, const State& b, const std::string& at) {
@@ -74,10 +74,10 @@ void expectSameBits(const State& a, const State& b, const std::string& at) {
   }
 }
 
-TEST(ForeseenMotion, HasTheSameBitsHoweverOftenItIsRead) {
+TEST(SolvedAhead, HasTheSameBitsHoweverOftenItIsRead) {
   const Bench bench = everyKindOfBody();
   for (unsigned seed = 0; seed < 6; ++seed) {
-    Simulation read = bench.simulation("auto", kForeseenStep), unread = read, seldom_read = read;
+    Simulation read = bench.simulation("auto", kReadStep), unread = read, seldom_read = read;
     Draw for_read(seed), for_unread(seed), for_seldom(seed);
     for (int i = 0; i < 300; ++i) {
       disturb(for_read, read);
@@ -93,7 +93,7 @@ TEST(ForeseenMotion, HasTheSameBitsHoweverOftenItIsRead) {
   }
 }
 
-TEST(ForeseenMotion, EndsWhereItsStateWouldNotBeFiniteWhetherReadOrNot) {
+TEST(SolvedAhead, EndsWhereItsStateWouldNotBeFiniteWhetherReadOrNot) {
   Bench fast, spinning;
   fast.add(test::principalBody("box", 1, {1, 2, 2.5}), test::tumbling({3e307, 0, 0}, {1, 2, 3}));
   spinning.add(test::principalBody("box", 1, {1, 2, 2.5}), test::tumbling({1, 0, 0}, {0, 3e14, 0}));

@@ -20,9 +20,9 @@ constexpr double kTolerance = 1e-9;
 
 /// The node beside the core, step by step. When a message takes effect is seen, not waited for:
 /// the reference is stepped with and without the wrench until the node agrees with the former.
-class Doors : public ::testing::Test {
+class NodeBesideCore : public ::testing::Test {
  protected:
-  Doors() : driver({"box", "canary"}), reference(RIGID_BODY_SIM_TEST_SCENE) {
+  NodeBesideCore() : driver({"box", "canary"}), reference(RIGID_BODY_SIM_TEST_SCENE) {
     // the node outlives a test: it starts over, and so does the reference
     driver.connect();
     driver.reset();

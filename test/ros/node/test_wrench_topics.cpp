@@ -6,7 +6,7 @@
 
 #include <rigid_body_sim/SimStatus.h>
 
-#include "doors.hpp"
+#include "node_beside_core.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -14,9 +14,11 @@ namespace {
 constexpr double kForEver = std::numeric_limits<double>::infinity();
 constexpr double kTimeout = 0.5;  // [s] the node's default
 
+class WrenchTopics : public NodeBesideCore {};
+
 }  // namespace
 
-TEST_F(Doors, EverydayDoorAgreesWithTheCoreInEveryFrame) {
+TEST_F(WrenchTopics, EverydayTopicAgreesWithTheCoreInEveryFrame) {
   ros::Publisher everyday = nh.advertise<geometry_msgs::WrenchStamped>("box/wrench", 100);
   ASSERT_TRUE(NodeDriver::waitFor([&] { return everyday.getNumSubscribers() > 0; }));
 
@@ -52,7 +54,7 @@ TEST_F(Doors, EverydayDoorAgreesWithTheCoreInEveryFrame) {
   stepBoth(60);
 }
 
-TEST_F(Doors, GeneralDoorActsAtAPointFromStartToEndExactly) {
+TEST_F(WrenchTopics, GeneralTopicActsAtAPointFromStartToEndExactly) {
   AppliedWrench message = generalMessage();
   // far enough off to be in before it starts; no multiple of the step
   const double begin = 30.00317;
@@ -69,7 +71,7 @@ TEST_F(Doors, GeneralDoorActsAtAPointFromStartToEndExactly) {
   stepBoth(static_cast<int>(std::lround((31 - reference.time()) / 0.01)));
 }
 
-TEST_F(Doors, GeneralDoorReplacesTheSameIdAndAddsWithoutOne) {
+TEST_F(WrenchTopics, GeneralTopicReplacesTheSameIdAndAddsWithoutOne) {
   AppliedWrench message = generalMessage();
   message.duration = ros::Duration(0.3);
   general.publish(message);
@@ -95,7 +97,7 @@ TEST_F(Doors, GeneralDoorReplacesTheSameIdAndAddsWithoutOne) {
   stepBoth(50);
 }
 
-TEST_F(Doors, RefuseWhatBreaksARuleCountItAndChangeNothing) {
+TEST_F(WrenchTopics, RefuseWhatBreaksARuleCountItAndChangeNothing) {
   SimStatus status;
   const boost::function<void(const SimStatus&)> hear_status = [&](const SimStatus& message) {
     status = message;
@@ -106,10 +108,11 @@ TEST_F(Doors, RefuseWhatBreaksARuleCountItAndChangeNothing) {
       [&] { return everyday.getNumSubscribers() > 0 && !status.header.frame_id.empty(); }));
   const std::uint64_t refused_before = status.refused;
   std::vector<std::string> warnings;
-  const boost::function<void(const rosgraph_msgs::Log&)> hear = [&](const rosgraph_msgs::Log& log) {
-    if (log.msg.find("wrench refused") != std::string::npos) warnings.push_back(log.msg);
-  };
-  const ros::Subscriber rosout = nh.subscribe<rosgraph_msgs::Log>("/rosout", 1000, hear);
+  const boost::function<void(const rosgraph_msgs::Log&)> receive =
+      [&](const rosgraph_msgs::Log& log) {
+        if (log.msg.find("wrench refused") != std::string::npos) warnings.push_back(log.msg);
+      };
+  const ros::Subscriber rosout = nh.subscribe<rosgraph_msgs::Log>("/rosout", 1000, receive);
 
   // what acts is to be left as it was
   AppliedWrench good = generalMessage();

@@ -1,4 +1,4 @@
-#include "tools/sweep/told_error.hpp"
+#include "tools/sweep/error_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,12 @@ bool holdsByTrial(const ContactTrial& trial, double end) {
 
 }  // namespace
 
-ToldError toldError(const Simulation& run, double end) {
-  ToldError told;
+ErrorReport errorReport(const Simulation& run, double end) {
+  ErrorReport report;
   const ErrorEstimate error = run.errorEstimate();
   const bool is_compared = run.steps() >= 2;
   if (is_compared && std::isfinite(error.attitude) && std::isfinite(error.position))
-    told.estimate = error;
+    report.estimate = error;
   const SolverOptions& solver = run.world().solver;
   const bool is_auto = solver.integrator == "auto";
   const ContactTrial trial = run.contactTrial();
@@ -30,18 +30,18 @@ ToldError toldError(const Simulation& run, double end) {
   const double lost_at = std::isfinite(error.lost_at) ? error.lost_at : trial.lost_at;
   // without contact the steps were tried beforehand, and plans say whether they hold
   if (is_auto && hasContact(run.world()) && lost_at <= end)
-    told.doubt = "from " + shortest(lost_at) + " s on, tolerance " + shortest(solver.tolerance) +
-                 " is not certain to be held: runs at other bounds of their steps differ by more";
+    report.doubt = "from " + shortest(lost_at) + " s on, tolerance " + shortest(solver.tolerance) +
+                   " is not certain to be held: runs at other bounds of their steps differ by more";
   else if (is_auto && std::any_of(plans.begin(), plans.end(),
                                   [](const MotionPlan& plan) { return !plan.holds; }))
-    told.doubt = "no integrator that was tried holds tolerance " + shortest(solver.tolerance);
-  else if (is_compared && !told.estimate)
-    told.doubt = "its error is unknown: a run at twice the step diverged";
-  else if (!told.estimate && !(is_auto && holdsByTrial(trial, end)))
-    told.doubt =
+    report.doubt = "no integrator that was tried holds tolerance " + shortest(solver.tolerance);
+  else if (is_compared && !report.estimate)
+    report.doubt = "its error is unknown: a run at twice the step diverged";
+  else if (!report.estimate && !(is_auto && holdsByTrial(trial, end)))
+    report.doubt =
         "its error is unknown: it has less than two steps, of which it is estimated; take "
         "a shorter time_step";
-  return told;
+  return report;
 }
 
 }  // namespace rigid_body_sim
