@@ -17,7 +17,8 @@ rigid_body_sim_benchmark(benchmark_touch_peers
   SOURCES test/benchmark/touch_peers.cpp test/benchmark/touch_peers_ours.cpp
   LIBRARIES rigid_body_sim_core)
 # each engine has names and macros of its own
-set_target_properties(rigid_body_sim_benchmark_touch_peers PROPERTIES UNITY_BUILD OFF)
+set_target_properties(rigid_body_sim_benchmark_peers rigid_body_sim_benchmark_crowds
+  rigid_body_sim_benchmark_touch_peers rigid_body_sim_extremes_engines PROPERTIES UNITY_BUILD OFF)
 
 function(rigid_body_sim_peer name)
   cmake_parse_arguments(ARG "" "" "INCLUDES;LIBRARIES" ${ARGN})
