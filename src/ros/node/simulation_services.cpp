@@ -38,7 +38,8 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
   try {
     while (response.message.empty() && taken < request.steps) {
       response.message = lateMessages();
-      if (response.message.empty()) response.message = stepFault();
+      if (response.message.empty())
+        response.message = paused_ ? stepFault() : "not paused any more: resuming has ended it";
       if (!response.message.empty()) break;
       advance();
       ++taken;

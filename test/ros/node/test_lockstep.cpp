@@ -1,4 +1,5 @@
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <geometry_msgs/PointStamped.h>
@@ -164,6 +165,22 @@ TEST(Lockstep, IsServedWhileItWaits) {
   EXPECT_FALSE(takeSteps("/alone/node", 1).success);
   for (const bool paused : {true, false, true}) EXPECT_TRUE(setPaused("/alone/node", paused));
   EXPECT_TRUE(ros::service::call("/alone/node/reset", reset));
+}
+
+// whichever call comes first: the step is refused, or it waits, and is ended
+TEST(Lockstep, SaysOfAStepThatWaitsThatResumingHasEndedIt) {
+  ASSERT_TRUE(ros::service::waitForService("/alone/node/step", 20000));
+  std::string message;
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries && message.find("any more") == std::string::npos; ++i) {
+    EXPECT_TRUE(setPaused("/alone/node", true));
+    std::thread step([&] { message = takeSteps("/alone/node", 1).message; });
+    EXPECT_EQ(setFactor("/alone/node", 1), "");  // a moment, for the step to be the first
+    EXPECT_TRUE(setPaused("/alone/node", false));
+    step.join();
+  }
+  EXPECT_EQ(message, "not paused any more: resuming has ended it");
+  EXPECT_TRUE(setPaused("/alone/node", true));
 }
 
 // its answer to the first state is lost: nobody is connected with a topic that has just been opened
