@@ -40,17 +40,22 @@ void Mouse::remove(std::size_t body) {
   moving_bodies_.erase(simulation_.world().bodies[body].name);
 }
 
-std::string Mouse::take(const Feedback& feedback) {
+std::string Mouse::faultOf(const Feedback& feedback) const {
   const std::string& name = feedback.marker_name;
   const auto found = moving_bodies_.find(name);
   if (found == moving_bodies_.end()) return "unknown handle '" + printable(name) + "'";
   const std::size_t body = found->second;
   if (simulation_.world().bodies[body].absent) return "body '" + name + "' is absent";
   const std::string& frame = tf_frames_.empty() ? name : tf_frames_[body];
-  if (feedback.header.frame_id != frame)
-    return "feedback on handle '" + name + "' must be in frame '" + frame + "', got '" +
-           printable(feedback.header.frame_id) + "'";
+  if (feedback.header.frame_id == frame) return "";
+  return "feedback on handle '" + name + "' must be in frame '" + frame + "', got '" +
+         printable(feedback.header.frame_id) + "'";
+}
 
+std::string Mouse::take(const Feedback& feedback) {
+  std::string fault = faultOf(feedback);
+  if (!fault.empty()) return fault;
+  const std::size_t body = moving_bodies_.at(feedback.marker_name);
   if (feedback.event_type == Feedback::MOUSE_DOWN) return press(body, feedback);
   const auto hold = holds_.find(body);
   if (hold == holds_.end() || hold->second.client != feedback.client_id) return "";

@@ -28,9 +28,13 @@ class Mouse {
   void add(std::size_t body);
   void remove(std::size_t body);
 
+  /// Why feedback, a choice in a menu, too, is of no handle that a viewer shows: its handle is
+  /// unknown, its body absent, or its frame not that of the body. Empty where it is of one.
+  std::string faultOf(const visualization_msgs::InteractiveMarkerFeedback& feedback) const;
+
   /// Takes what a viewer reports: a button pressed on a handle, the handle dragged or kept where it
   /// is, the button released. Returns the fault of feedback that is refused and changes nothing:
-  /// for an unknown handle, in a frame other than the body's, or for a pull that is not finite.
+  /// as faultOf, or for a pull that is not finite.
   std::string take(const visualization_msgs::InteractiveMarkerFeedback& feedback);
 
   /// Applies, for the next step, the pull on every body that is held, each in a slot of its own.

@@ -8,6 +8,8 @@
 namespace rigid_body_sim {
 
 void SimulationNode::choose(const HandleTopics::Feedback& feedback) {
+  if (const std::string fault = mouse_.faultOf(feedback); !fault.empty())
+    return refusals_.add("menu", fault);
   std_srvs::SetBool pausing;
   std_srvs::Trigger resetting;
   switch (static_cast<MenuChoice>(feedback.menu_entry_id)) {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -89,6 +90,28 @@ TEST_F(LiveNode, DoesWhatIsChosenInTheMenuOfAHandle) {
   ASSERT_TRUE(NodeDriver::waitFor([&] { return inputs.size() >= 2; }));
   EXPECT_EQ(inputs[0].kind, Input::CLEAR);
   EXPECT_EQ(inputs[1].kind, Input::RESET);
+}
+
+TEST_F(LiveNode, RefusesAChoiceInTheMenuOfNoHandle) {
+  ros::NodeHandle nh;
+  SimStatus status;
+  const boost::function<void(const SimStatus&)> look = [&](const SimStatus& s) { status = s; };
+  const ros::Subscriber subscriber = nh.subscribe<SimStatus>("rigid_body_node/status", 10, look);
+  menu = nh.advertise<Feedback>("rigid_body_node/push/feedback", 100);
+  ASSERT_TRUE(NodeDriver::waitFor(
+      [&] { return menu.getNumSubscribers() > 0 && !status.header.frame_id.empty(); }));
+  const std::uint64_t refused = status.refused;
+  driver.pause(true);
+  Feedback feedback;
+  feedback.event_type = Feedback::MENU_SELECT;
+  feedback.menu_entry_id = static_cast<std::uint32_t>(MenuChoice::kResume);
+  feedback.marker_name = feedback.header.frame_id = "nobody";
+  menu.publish(feedback);
+  feedback.marker_name = "box";
+  menu.publish(feedback);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return status.refused >= refused + 2; }));
+  EXPECT_EQ(status.refused, refused + 2);
+  EXPECT_TRUE(isPaused());
 }
 
 }  // namespace rigid_body_sim
