@@ -19,6 +19,24 @@ bool actsInPlaces(const World& world) {
                      [](const auto& law) { return law->isOneSided(); });
 }
 
+/// Whether a wrench or a command acts on the group or is to come.
+bool isScheduled(const World& world, const CoupledBodies& group,
+                 const std::vector<WrenchSchedule>& schedules) {
+  return std::any_of(group.members.begin(), group.members.end(), [&](std::size_t body) {
+    const ActuatorSchedule* actuators = schedules[body].actuators();
+    return schedules[body].size() > 0 || (actuators && actuators->commandsToCome() > 0) ||
+           std::any_of(world.commands.begin(), world.commands.end(),
+                       [body](const ActuatorCommand& command) { return command.body == body; });
+  });
+}
+
+/// What a trial has found, where its start has moved in time.
+MethodChoice startedAt(double t, const MethodPlanner::Trials::Found& found) {
+  MethodChoice choice = found.choice;
+  choice.tried_until += t - found.start;
+  return choice;
+}
+
 }  // namespace
 
 MethodPlanner::MethodPlanner(const World& world)
@@ -59,13 +77,16 @@ MethodChoice MethodPlanner::atStart(const World& world, const LawTable& laws,
   if (method_ || isSolved(world, group, needs, start.schedules))
     return later(world, group, start.schedules);
   if (needs & kContact) return later(world, group, start.schedules);
-  const auto known = choices_[scheduled].find(group.members);
-  if (known != choices_[scheduled].end()) return known->second;
+  auto& found =
+      scheduled && isScheduled(world, group, start.schedules) ? trials_.with : trials_.without;
+  if (const auto known = found.find(group.members); known != found.end())
+    return scheduled ? known->second.choice : startedAt(start.t, known->second);
   const double share = std::min(1.0, kFullTrials / static_cast<double>(trials));
   MethodChoice choice = chooseMethod(world, laws, group, start, share * kMaxTrialSteps);
   choice.max_turn_share = max_turn_share_;
   choice.contact_bound = contact_bound_;
-  return choices_[scheduled][group.members] = choice;
+  found[group.members] = {start.t, choice};
+  return choice;
 }
 
 MethodChoice MethodPlanner::later(const World& world, const CoupledBodies& group,

@@ -13,7 +13,19 @@ namespace rigid_body_sim {
 /// where that is possible, else by the cheapest integrator for the motion that the scene predicts,
 /// or by one that its own error estimates control where something else happens.
 class MethodPlanner {
+  using Members = std::vector<std::size_t>;
+
  public:
+  /// What trials have found for groups at the start of a run, by members: where no wrench and no
+  /// command of the scene acts on the group or is to come, and where one does.
+  struct Trials {
+    struct Found {
+      double start;  ///< [s] of the trial
+      MethodChoice choice;
+    };
+    std::map<Members, Found> without, with;
+  };
+
   /// Throws std::invalid_argument for an integrator that is unknown.
   explicit MethodPlanner(const World& world);
 
@@ -36,14 +48,19 @@ class MethodPlanner {
   /// The same for all that acts in the world, now or later.
   void requireSupport(const World& world) const;
 
-  /// For a group that forms at the start of a run. scheduled: whether the scene's wrenches are to
-  /// come, as at the start of time; trials: groups that share the time there is for trials.
+  /// For a group that forms at the start of a run, or where it has been put back there, the same as
+  /// then. scheduled: whether the scene's wrenches are to come, as at the start of time; trials:
+  /// groups that share the time there is for trials.
   MethodChoice atStart(const World& world, const LawTable& laws, const CoupledBodies& group,
                        const TrialStart& start, bool scheduled, std::size_t trials);
 
   /// For a group that forms while the simulation runs, when there is no time for trials.
   MethodChoice later(const World& world, const CoupledBodies& group,
                      const std::vector<WrenchSchedule>& schedules) const;
+
+  /// For another planner of the same world, of which the same start is asked.
+  const Trials& trials() const { return trials_; }
+  void setTrials(const Trials& trials) { trials_ = trials; }
 
   /// Whether these are plans of a run with this integrator.
   bool fits(const std::vector<MotionPlan>& plans) const;
@@ -55,8 +72,6 @@ class MethodPlanner {
                          const MotionPlan& plan) const;
 
  private:
-  using Members = std::vector<std::size_t>;
-
   bool isSolved(const World& world, const CoupledBodies& group, unsigned needs,
                 const std::vector<WrenchSchedule>& schedules) const;
 
@@ -65,8 +80,7 @@ class MethodPlanner {
   double max_turn_share_ = 1;
   double contact_bound_;
   double contact_work_;
-  /// Of auto's trials, by members; first without the scene's wrenches, then with them.
-  std::map<Members, MethodChoice> choices_[2];
+  Trials trials_;
 };
 
 MotionPlan toPlan(const Group& group);

@@ -53,11 +53,13 @@ Run Run::loosened(bool twice_the_step) const {
 /// Makes anew what goes by the bodies of the world, where these are to be others.
 void Run::enter(const std::vector<BodyChange>& changes) {
   if (changes == now_.changes) return;
+  if (now_.changes == now_.start->changes) start_trials_ = grouping_.planner().trials();
   now_.world = std::make_shared<const World>(withChanges(*now_.world, changes));
   now_.changes = changes;
   ++now_.world_changes;
   now_.laws = LawTable(*now_.world);
   grouping_ = Grouping(now_);
+  if (changes == now_.start->changes) grouping_.planner().setTrials(start_trials_);
   motors_ = RunMotors(*now_.world, *now_.start);
 }
 

@@ -125,6 +125,7 @@ class Run {
   ContactTrial contact_trial_;
   RunState now_;
   Grouping grouping_;
+  MethodPlanner::Trials start_trials_;  // while the world is not that of the start
   RunMotors motors_;
   RunContacts contacts_;
   StepRecord step_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/methods/catalogue.hpp"
+#include "support/counted_law.hpp"
 #include "support/law_benches.hpp"
 
 /// Laws whose rates no step of the scene follows, and laws in great number.
@@ -10,6 +11,7 @@ namespace rigid_body_sim {
 namespace {
 
 using test::Bench;
+using test::CountedLaw;
 using test::principalBody;
 using test::tumbling;
 
@@ -125,30 +127,6 @@ TEST(StiffSpring, KeepsSwingingUnderEveryIntegratorThatTakesIt) {
   }
 }
 
-/// A spring that counts how often it is asked.
-class CountedSpring final : public ForceLaw {
- public:
-  CountedSpring(std::shared_ptr<const ForceLaw> spring, std::int64_t& count)
-      : spring_(std::move(spring)), count_(count) {}
-  const char* name() const override { return spring_->name(); }
-  std::vector<std::size_t> members() const override { return spring_->members(); }
-  std::shared_ptr<const ForceLaw> reindexed(
-      const std::function<std::size_t(std::size_t)>& index) const override {
-    return std::make_shared<CountedSpring>(spring_->reindexed(index), count_);
-  }
-  void addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const override {
-    ++count_;
-    spring_->addWrenches(at, wrenches);
-  }
-  double potentialEnergy(const Bodies& at) const override { return spring_->potentialEnergy(at); }
-  double externalPower(const Bodies& at) const override { return spring_->externalPower(at); }
-  unsigned needs() const override { return spring_->needs(); }
-
- private:
-  std::shared_ptr<const ForceLaw> spring_;
-  std::int64_t& count_;
-};
-
 /// Balls in a row, a metre apart, each linked to the next.
 Bench chain(std::size_t balls, std::int64_t& count) {
   Bench bench;
@@ -160,7 +138,7 @@ Bench chain(std::size_t balls, std::int64_t& count) {
     const auto spring =
         std::make_shared<Spring>(Spring::End{i - 1, {0.3, 0, 0}}, Spring::End{i, {-0.3, 0, 0}},
                                  Spring::Constants{100, 0, 0.4});
-    bench.world.laws.push_back(std::make_shared<CountedSpring>(spring, count));
+    bench.world.laws.push_back(std::make_shared<CountedLaw>(spring, count));
   }
   return bench;
 }
