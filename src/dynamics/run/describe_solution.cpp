@@ -46,11 +46,13 @@ std::set<std::size_t> bodiesInMedium(const World& world) {
   return in_medium;
 }
 
-/// Names of the laws on each body, each name once; one pass over the laws of the world.
-std::vector<std::vector<std::string>> lawNames(const World& world) {
+/// Names of the laws on each body, each name once; one pass over the laws of the world. which: of
+/// all laws, or of those alone that begin to act somewhere.
+enum class Which { kAll, kOneSided };
+std::vector<std::vector<std::string>> lawNames(const World& world, Which which) {
   std::vector<std::vector<std::string>> names(world.bodies.size());
   for (const auto& law : world.laws) {
-    if (rests(*law, world)) continue;
+    if (rests(*law, world) || (which == Which::kOneSided && !law->isOneSided())) continue;
     for (std::size_t body : law->members()) {
       std::vector<std::string>& of_body = names[body];
       if (std::find(of_body.begin(), of_body.end(), law->name()) == of_body.end())
@@ -93,6 +95,14 @@ std::string stepText(double h) {
   text.precision(3);
   text << (h < 1 ? 1e3 * h : h) << (h < 1 ? " ms" : " s");
   return text.str();
+}
+
+/// How a body that is solved goes on once one of these laws acts: MethodPlanner::later.
+std::string onceActs(const std::vector<std::string>& laws) {
+  if (laws.empty()) return "";
+  std::string names = laws.front();
+  for (std::size_t i = 1; i < laws.size(); ++i) names += " or " + laws[i];
+  return "; once " + names + " acts, dop853 by its own error estimates";
 }
 
 /// "asymmetric, exact", "Taylor", "dop853 in steps of 1 ms", or in substeps, see describeSolution
@@ -229,7 +239,7 @@ std::string magnifiedText(const Body& body, double magnification) {
 
 std::vector<std::string> describeSolution(const Simulation& simulation) {
   const World& world = simulation.world();
-  const auto laws = lawNames(world);
+  const auto laws = lawNames(world, Which::kAll), one_sided = lawNames(world, Which::kOneSided);
   const auto wrenches = wrenchesByBody(world, simulation.state());
   const std::set<std::size_t> in_medium = bodiesInMedium(world);
   std::vector<std::string> texts, shortfalls;
@@ -239,7 +249,8 @@ std::vector<std::string> describeSolution(const Simulation& simulation) {
       texts[i] =
           whatActs(world, world.bodies[i], laws[i], !wrenches[i].empty()) + ", " +
           howSolved(world, world.bodies[i], plan,
-                    leaveFree(world, world.bodies[i], wrenches[i]) && in_medium.count(i) == 0);
+                    leaveFree(world, world.bodies[i], wrenches[i]) && in_medium.count(i) == 0) +
+          (plan.integrator.empty() ? onceActs(one_sided[i]) : "");
     if (!plan.holds) shortfalls.push_back(shortfall(world, plan));
   }
   std::vector<std::string> lines = linesOf(world, texts);

@@ -1,8 +1,11 @@
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
+#include <rigid_body_sim/dynamics/tether.hpp>
 
 #include "support/law_benches.hpp"
 
@@ -27,6 +30,20 @@ TEST(DescribeSolution, NamesTheRotorOfAFreeBody) {
   EXPECT_EQ(lines({1, 2, 3}), Lines{"wing_nut: free, asymmetric, exact"});
   EXPECT_EQ(lines({1, 2, 2}), Lines{"wing_nut: free, symmetric, exact"});
   EXPECT_EQ(lines({2, 2, 2}), Lines{"wing_nut: free, spherical, exact"});
+}
+
+TEST(DescribeSolution, SaysHowABodyIsSteppedOnceATetherActs) {
+  const auto lineOf = [](double length, const char* integrator) {
+    Bench bench = freeBody({2, 2, 2});
+    bench.world.laws.push_back(std::make_shared<Tether>(Spring::End{kWorld, {0, 0, 1}},
+                                                        Spring::End{0, {0, 0, 0}},
+                                                        Tether::Constants{100, 1, length}));
+    return describeSolution(bench.simulation(integrator, 0.01)).at(0);
+  };
+  const std::string later = "dop853 by its own error estimates";
+  EXPECT_EQ(lineOf(2, "auto"), "wing_nut: tether, spherical, exact; once tether acts, " + later);
+  EXPECT_EQ(lineOf(0.5, "auto").find("once"), std::string::npos);
+  EXPECT_EQ(lineOf(2, "rk4"), "wing_nut: tether, rk4 in steps of 10 ms");
 }
 
 // A difference grows by e^(λt), λ = ω √((I₂ − I₁)(I₃ − I₂)/(I₁ I₃)) = 1.73/s, until it has turned.
