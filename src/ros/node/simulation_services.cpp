@@ -39,7 +39,7 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
     while (response.message.empty() && taken < request.steps) {
       response.message = lateMessages();
       if (response.message.empty())
-        response.message = paused_ ? stepFault() : "ended, for the simulation was resumed";
+        response.message = paused_ ? stepFault() : "not paused any more: resuming has ended it";
       if (!response.message.empty()) break;
       advance();
       ++taken;
