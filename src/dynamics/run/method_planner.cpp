@@ -40,24 +40,6 @@ MethodChoice startedAt(double t, const MethodPlanner::Trials::Found& found) {
   return choice;
 }
 
-/// Whether a wrench or a command acts on the group or is to come.
-bool isScheduled(const World& world, const CoupledBodies& group,
-                 const std::vector<WrenchSchedule>& schedules) {
-  return std::any_of(group.members.begin(), group.members.end(), [&](std::size_t body) {
-    const ActuatorSchedule* actuators = schedules[body].actuators();
-    return schedules[body].size() > 0 || (actuators && actuators->commandsToCome() > 0) ||
-           std::any_of(world.commands.begin(), world.commands.end(),
-                       [body](const ActuatorCommand& command) { return command.body == body; });
-  });
-}
-
-/// What a trial has found, where its start has moved in time.
-MethodChoice startedAt(double t, const MethodPlanner::Trials::Found& found) {
-  MethodChoice choice = found.choice;
-  choice.tried_until += t - found.start;
-  return choice;
-}
-
 }  // namespace
 
 MethodPlanner::MethodPlanner(const World& world)
