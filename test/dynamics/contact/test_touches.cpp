@@ -96,7 +96,7 @@ TEST(BouncingBall, KeepsItsEnergyAmongFortyNine) {
   for (int i = 0; i < 49; ++i)
     test::addBall(bench, 0.1, 10, motionAt({i % 7 - 3.0, i / 7 - 3.0, 5}), HalfSpace{},
                   contactOf(1e6, 1.5, 0, 0.8));
-  Simulation sim = test::simulationAt(bench, 1e-9, 0.01);
+  Simulation sim = test::simulationAt(bench, 1e-10, 0.01);
   const double start = mechanicalEnergy(sim.world(), sim.state());
   double worst = 0;
   while (sim.time() < 20) {
