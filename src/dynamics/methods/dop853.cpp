@@ -43,6 +43,8 @@ Estimate errorEstimate(const System& system, double h, const std::vector<BodySta
     const auto consider = [&](double e5, double e3, double least, double scale) {
       const double size = std::hypot(e5, 0.1 * e3);
       double e = size > 0 ? h * e5 * (e5 / size) : 0.0;
+      // what lies beyond all numbers is not known to be small
+      if (!std::isfinite(size)) e = std::numeric_limits<double>::infinity();
       if (bound.least_share > 0 && scale > 0)
         e = std::max(e, bound.least_share * scale * power9_4(h * e3 / scale));
       worst.whole = std::max(worst.whole, e > 0 ? e / scale : 0.0);

@@ -216,6 +216,20 @@ TEST(Touch, IsThatOfABodyAtRestExactlyOnThePlane) {
               0.5 - sag * (1 - std::cos(w * sim.time())), 1e-11);
 }
 
+// Where it begins to touch nothing tells yet how short its steps must be: the first that is tried
+// leads beyond all numbers.
+TEST(Touch, IsFollowedByLongSteps) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -kFall};
+  test::addBall(bench, 0.1, 1, motionAt({0, 0, 0.1}, {2, 0, 0}), HalfSpace{},
+                contactOf(1e6, 1.5, 1, 0));
+  Simulation by_long = test::simulationAt(bench, 1e-6, 1);
+  Simulation by_short = test::simulationAt(bench, 1e-6, 1e-3);
+  by_long.step();
+  while (by_short.steps() < 1000) by_short.step();
+  EXPECT_NEAR(by_long.body(0).x_W.z(), by_short.body(0).x_W.z(), 1e-9);
+}
+
 TEST(Touch, HoldsForABodyThatStartsInThePlane) {
   constexpr double kDepth = 0.01;
   Bench bench;
