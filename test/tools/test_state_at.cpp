@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/contact_benches.hpp"
 #include "support/many_bodies.hpp"
 #include "support/same_bits.hpp"
 #include "tools/common/state_at.hpp"
@@ -66,6 +67,29 @@ TEST(StateAt, CountsAnInstantThatMissesAStepByRoundingAsThatStep) {
   EXPECT_EQ(stepsBy(simulation, 0.03 * (1 - 1e-12)), 3);
   EXPECT_EQ(stepsBy(simulation, 0.0299), 2);
   EXPECT_GT(stepsBy(simulation, std::numeric_limits<double>::infinity()), std::int64_t{1} << 60);
+}
+
+TEST(StatesWithin, AreThoseOfSamples) {
+  Simulation simulation = thrown("rk4");
+  StatesWithin states;
+  for (const double t : {0.002, 0.005, 0.007, 0.003})
+    EXPECT_TRUE(test::sameBits(states.at(simulation, t).bodies[0], simulation.sample(t).bodies[0]));
+}
+
+TEST(StatesWithin, GoOnFromOneAnotherInContact) {
+  test::Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  test::addBall(bench, 0.1, 1, test::motionAt({0, 0, 0.1}, {1, 0, 0}), HalfSpace{},
+                test::contactOf(1e4, 1, 0.3, 0.5));
+  Simulation simulation = bench.simulation("auto", 0.1);
+  StatesWithin states;
+  for (int k = 1; k < 30; ++k) {
+    const double t = 0.01 * k;
+    if (k % 10 == 0) simulation.step();
+    const BodyState a = states.at(simulation, t).bodies[0], b = simulation.sample(t).bodies[0];
+    EXPECT_NEAR((a.x_W - b.x_W).norm(), 0, 1e-11) << t;
+    EXPECT_NEAR((a.p_W - b.p_W).norm(), 0, 1e-10) << t;
+  }
 }
 
 }  // namespace

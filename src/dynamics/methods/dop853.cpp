@@ -26,6 +26,7 @@ struct Estimate {
 /// are rounding and their relative errors mean nothing: see StepBound::idle. The estimate of order
 /// 5 vanishes by accident now and then, as its sign changes, and that of order 8 with it; that of
 /// order 3 tells: see StepBound::least_share.
+template <bool kHasLeast>
 Estimate errorEstimate(const System& system, double h, const std::vector<BodyState>& states,
                        const std::vector<BodyStateDot>& dots, const StepBound& bound) {
   const std::size_t n = states.size();
@@ -43,9 +44,12 @@ Estimate errorEstimate(const System& system, double h, const std::vector<BodySta
     const auto consider = [&](double e5, double e3, double least, double scale) {
       const double size = std::hypot(e5, 0.1 * e3);
       double e = size > 0 ? h * e5 * (e5 / size) : 0.0;
-      if (bound.least_share > 0 && scale > 0)
-        e = std::max(e, bound.least_share * scale * power9_4(h * e3 / scale));
-      worst.whole = std::max(worst.whole, e > 0 ? e / scale : 0.0);
+      if constexpr (kHasLeast) {
+        // what lies beyond all numbers is not known to be small
+        if (!std::isfinite(size)) e = std::numeric_limits<double>::infinity();
+        if (scale > 0) e = std::max(e, bound.least_share * scale * power9_4(h * e3 / scale));
+        worst.whole = std::max(worst.whole, e > 0 ? e / scale : 0.0);
+      }
       worst.counted = std::max(worst.counted, e <= least ? 0.0 : e / scale);
     };
     const Body& body = *system.bodies[i];
@@ -139,7 +143,9 @@ void dop853Step(const System& system, double h, SystemState& states, Workspace& 
   evaluateStages(system, h, states, workspace);
   workspace.wrenches_current = false;
   const auto estimate = [&](const StepBound& bound) {
-    return errorEstimate(system, std::abs(h), states.bodies, workspace.dots, bound);
+    return bound.least_share > 0
+               ? errorEstimate<true>(system, std::abs(h), states.bodies, workspace.dots, bound)
+               : errorEstimate<false>(system, std::abs(h), states.bodies, workspace.dots, bound);
   };
   const StepBound follows;
   const Estimate error = estimate(workspace.step_bound);

@@ -107,6 +107,7 @@ class Stepper {
                         Meter& meter);
   StepBound contactBound() const;
   double stableStep(const System& system, double h, const SystemState& states) const;
+  double shareToBegin() const;
   double smoothStep(const System& system, const SystemState& states) const;
   double takeEstimatedStep(const System& system, double h, double stable, SystemState& states,
                            double& next);
@@ -127,6 +128,7 @@ class Stepper {
   int max_substeps_ = 1;
   double magnification_ = 0;
   double stopped_at_ = 0;
+  double growth_ = 0;  // of the next step in contact, at most, where its estimate does not tell
   bool at_rest_ = false;
   std::vector<Roam> roams_;
   std::vector<ContactEvent> contact_events_;

@@ -11,6 +11,8 @@
 namespace rigid_body_sim {
 namespace {
 
+constexpr double kMostGrowth = 2;  // of a step, beside the one before
+
 /// Which laws act.
 std::vector<bool> actingLaws(const System& system, const SystemState& states) {
   std::vector<bool> acting;
@@ -30,20 +32,24 @@ void Stepper::moveContactEvents(std::vector<ContactEvent>& events) {
 StepBound Stepper::contactBound() const {
   // least share: of steps of bounces, true errors are 0.1 to 0.7 times that power, the greater the
   // longer the step
-  constexpr double kIdleShare = 1e-2, kLeastShare = 0.25;
-  return {choice_.contact_bound, kIdleShare * choice_.contact_bound, kLeastShare};
+  // idle: no less than what rounding moves a body by that lies
+  constexpr double kIdleShare = 1e-2, kLeastIdle = 1e-17, kLeastShare = 0.25;
+  return {choice_.contact_bound, std::max(kIdleShare * choice_.contact_bound, kLeastIdle),
+          kLeastShare};
 }
 
 /// [s] Within which the integrator is stable and its estimate can be believed, where forces are
 /// smooth.
 double Stepper::stableStep(const System& system, double h, const SystemState& states) const {
-  // an estimate may vanish by accident, more often the longer the step: no step is tried that is
-  // far longer than those that the bound allows, as a rule. 8: with 10, energy over a thousand
-  // bounces errs by more than 1e-12; shorter steps gain nothing there
-  constexpr double kLongest = 8, kOrder = 8;
-  const double turn = std::min(choice_.method->max_turn,
-                               kLongest * std::pow(workspace_.step_bound.error, 1 / kOrder));
-  return turn / std::max(fastestRate(system, h, states), 1e-300);
+  return choice_.method->max_turn / std::max(fastestRate(system, h, states), 1e-300);
+}
+
+/// Of stableStep: with which to begin, where no step before tells. As a rule steps that are longer
+/// err by more than the bound.
+double Stepper::shareToBegin() const {
+  constexpr double kTurn = 8, kOrder = 8;
+  return std::min(
+      1.0, kTurn * std::pow(workspace_.step_bound.error, 1 / kOrder) / choice_.method->max_turn);
 }
 
 /// [s] Within which forces are smooth enough for that.
@@ -62,7 +68,7 @@ double Stepper::smoothStep(const System& system, const SystemState& states) cons
 /// the momentum lasts.
 double Stepper::takeEstimatedStep(const System& system, double h, double stable,
                                   SystemState& states, double& next) {
-  constexpr double kRounding = 1e-12, kSafety = 0.9, kOrder = 8;
+  constexpr double kRounding = 1e-12, kSafety = 0.9, kOrder = 8, kGrowthGain = 1.1;
   const StepBound of_step = workspace_.step_bound;
   const double bound = of_step.error;
   const SystemState start = states;
@@ -75,11 +81,16 @@ double Stepper::takeEstimatedStep(const System& system, double h, double stable,
     const double error = workspace_.error, whole = workspace_.whole_error;
     // shorter steps no longer help: rounding dominates
     const bool stuck = error <= kRounding && error > 0.5 * last_error;
-    // the next step goes by what does not count, too, unless that is rounding
-    const double known = error == 0 && whole <= bound ? whole : error;
+    // the next step goes by what does not count, too, unless that may be rounding
+    const bool tells = whole <= bound;
+    const double known = tells ? whole : error;
     const double factor = kSafety * std::pow(bound / std::max(known, 1e-3 * bound), 1 / kOrder);
     if (error <= bound || stuck) {
-      next = h * (stuck ? 1 : std::clamp(factor, 0.2, 2.0));
+      // else hardly anything tells how much longer a step may be: after one that was too long, they
+      // grow by little at first
+      const double most = tells ? kMostGrowth : growth_;
+      growth_ = tries > 0 ? 1 : std::min(kGrowthGain * growth_, kMostGrowth);
+      next = h * (stuck ? 1 : std::clamp(factor, 0.2, most));
       return h;
     }
     states = start;
@@ -114,8 +125,9 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
   workspace_.step_bound = contactBound();
   const std::int64_t evaluated = evaluations();
   const auto bodies = static_cast<double>(system.bodies.size());
-  double done = 0, next = h;
+  double done = 0, next = -1;
   bool goes_on = false;
+  growth_ = kMostGrowth;
   constexpr int kMaxSubsteps = 1000000;
   // what laws bring about at any state lasts over the whole step: that is known beforehand
   if (!(h * law_rate_ <= kMaxSubsteps * choice_.method->max_turn))
@@ -124,11 +136,12 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     if (static_cast<double>(evaluations() - evaluated) * bodies > choice_.contact_work)
       throw StepTooLong(tooMuchContact(choice_.contact_work));
     const double left = h - done;
-    const double stable = std::min(h, stableStep(system, h, states));
+    const double stable = stableStep(system, h, states);
+    if (next < 0) next = shareToBegin() * stable;
     double step = std::min({left, next, stable, smoothStep(system, states)});
     if (step < left && step > 0.5 * left) step = 0.5 * left;  // no sliver at the end
     const SystemState start = states;
-    step = takeEstimatedStep(system, step, stable, states, next);
+    step = takeEstimatedStep(system, step, std::min(h, stable), states, next);
     scratch_.step_bound = workspace_.step_bound;
     const MotionPiece piece(system, *choice_.method, start, 0, step, scratch_);
     const CubicBetween cubic(start, states, workspace_, step);
@@ -139,6 +152,7 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     bool stops = done < h && isBeyond(states);
     if (events_.found()) {
       double energy = 0;
+      growth_ = kMostGrowth;
       stops |= switchContacts(system, t + done, states, energy);
       meter.addEnergy(energy);
     }

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/step_sampler.hpp>
 
 namespace rigid_body_sim {
 
@@ -12,11 +14,25 @@ struct StepHooks {
   std::function<void()> before;  ///< also before a state within a step; may come twice for one step
   std::function<void(double t)> within;  ///< between `before` and a state at t [s] within the step,
                                          ///< or the step itself, with the time that it reaches
+  std::function<State(double t)> sample;  ///< the state at t [s] within the step; none: sample()
   std::function<void()> after;
   /// How many steps may be taken at once, one at least, as there is nothing to be done between
   /// them: asked after `before` and `within`, of which the latter was told the end of the first.
   /// None: one, where there is anything of the above.
   std::function<std::int64_t()> free_steps;
+};
+
+/// States within steps. In contact those of one step go on from one another from the second on, so
+/// that many cost little more than the step.
+class StatesWithin {
+ public:
+  /// At a time t [s] within the step that comes next. Nothing comes in between two of one step.
+  State at(const Simulation& simulation, double t);
+
+ private:
+  std::int64_t step_ = -1;
+  double last_ = 0;  // [s]
+  std::optional<StepSampler> sampler_;
 };
 
 /// The number of the last step that is at time t [s], which may be infinite, or before.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,9 @@ StepHooks hooksOf(SimulateJob& job, SlowRunNotice& slow, StepWatch& watch) {
     if (!text.empty()) job.note(text);
     // though an input to come may be at fault: the user waits now
     if (!text.empty()) job.messages.print();
+  };
+  hooks.sample = [&job, states = std::make_shared<StatesWithin>()](double t) {
+    return states->at(job.simulation, t);
   };
   hooks.free_steps = [&job, &slow] { return freeSteps(job, slow); };
   return hooks;

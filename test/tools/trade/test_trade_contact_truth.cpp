@@ -75,7 +75,7 @@ TEST(TradeContactTruth, IsReportedOfARollingBall) { expectTrueErrors(test::rolli
 
 // A deviation of 1e-12 m grows a billionfold: no digit of a long run can be known.
 TEST(TradeContactTruth, IsReportedAsLostOfATumblingBox) {
-  constexpr double kTumblingTime = 4.5;
+  constexpr double kTumblingTime = 4;
   ContactTwin twin = test::tumblingBox();
   World& world = twin.bench.world;
   solveByAuto(world, kTumblingTime);
