@@ -164,8 +164,9 @@ void checkWrench(const World& world, const PointWrench& wrench) {
   const bool own = wrench.point_frame == kOwnBody || wrench.point_frame == wrench.body;
   require(!wrench.at_center || (own && wrench.point == world.bodies[wrench.body].com_P),
           "wrench on body '", body, "': at its centre of mass, point must be that of the body");
-  require(!std::isnan(wrench.start) && !std::isnan(wrench.end), "wrench on body '", body,
-          "': start and end must be numbers");
+  // one that has been due for ever would be put off with all of that duration
+  require(std::isfinite(wrench.start) && !std::isnan(wrench.end), "wrench on body '", body,
+          "': start must be finite, end a number");
 }
 
 }  // namespace rigid_body_sim

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -52,6 +53,33 @@ TEST(Arguments, AreTimesWithinTheNextStep) {
                 "a time must be between now and the next step, from 0.1 to 0.2 s")
           << t;
   }
+}
+
+TEST(Arguments, AreWrenchesOfNumbers) {
+  const auto refusal = [](const std::function<void(PointWrench&)>& change) {
+    return askRefusal([&](Simulation& sim) {
+      PointWrench push;
+      change(push);
+      sim.applyWrench("push", push);
+    });
+  };
+  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+  const std::string on = "wrench on body 'box': ";
+  EXPECT_EQ(refusal([](PointWrench&) {}), "answered");
+  EXPECT_EQ(refusal([](PointWrench& push) { push.axes = 1; }), on + "no body has the index 1");
+  EXPECT_EQ(refusal([](PointWrench& push) { push.point_frame = 1; }),
+            on + "no body has the index 1");
+  for (double x : {nan, inf}) {
+    const std::string finite = on + "force, torque and point must be finite";
+    EXPECT_EQ(refusal([x](PointWrench& push) { push.force.y() = x; }), finite);
+    EXPECT_EQ(refusal([x](PointWrench& push) { push.torque.z() = x; }), finite);
+    EXPECT_EQ(refusal([x](PointWrench& push) { push.point.x() = x; }), finite);
+  }
+  const std::string times = on + "start must be finite, end a number";
+  for (double start : {nan, inf, -inf})
+    EXPECT_EQ(refusal([start](PointWrench& push) { push.start = start; }), times);
+  EXPECT_EQ(refusal([nan](PointWrench& push) { push.end = nan; }), times);
+  EXPECT_EQ(refusal([inf](PointWrench& push) { push.end = inf; }), "answered");
 }
 
 TEST(Arguments, AreNumbersOfSteps) {
