@@ -10,15 +10,15 @@ template <int kLanes>
 struct VectorOf;
 template <>
 struct VectorOf<2> {
-  typedef double Type __attribute__((vector_size(16), aligned(8), may_alias));
+  using Type __attribute__((vector_size(16), aligned(8), may_alias)) = double;
 };
 template <>
 struct VectorOf<4> {
-  typedef double Type __attribute__((vector_size(32), aligned(8), may_alias));
+  using Type __attribute__((vector_size(32), aligned(8), may_alias)) = double;
 };
 template <>
 struct VectorOf<8> {
-  typedef double Type __attribute__((vector_size(64), aligned(8), may_alias));
+  using Type __attribute__((vector_size(64), aligned(8), may_alias)) = double;
 };
 
 /// One register.
@@ -107,7 +107,7 @@ RIGID_BODY_SIM_INLINE double positivePart(double x) { return x > 0 ? x : 0; }
 
 template <int kLanes>
 RIGID_BODY_SIM_INLINE Pack<kLanes> positivePart(const Pack<kLanes>& x) {
-  typedef long long Bits __attribute__((vector_size(8 * kLanes)));
+  using Bits __attribute__((vector_size(8 * kLanes))) = long long;
   Pack<kLanes> positive;
   positive.v = (typename VectorOf<kLanes>::Type)((Bits)x.v & (Bits)(x.v > 0.0));
   return positive;
@@ -123,7 +123,7 @@ RIGID_BODY_SIM_INLINE double oneWherePositive(double x) { return x > 0 ? 1 : 0; 
 
 template <int kLanes>
 RIGID_BODY_SIM_INLINE Pack<kLanes> oneWherePositive(const Pack<kLanes>& x) {
-  typedef long long Bits __attribute__((vector_size(8 * kLanes)));
+  using Bits __attribute__((vector_size(8 * kLanes))) = long long;
   Pack<kLanes> one(1.0);
   one.v = (typename VectorOf<kLanes>::Type)((Bits)one.v & (Bits)(x.v > 0.0));
   return one;
@@ -152,7 +152,7 @@ RIGID_BODY_SIM_INLINE double absolute(double x) { return __builtin_fabs(x); }
 
 template <int kLanes>
 RIGID_BODY_SIM_INLINE Pack<kLanes> absolute(const Pack<kLanes>& x) {
-  typedef long long Bits __attribute__((vector_size(8 * kLanes)));
+  using Bits __attribute__((vector_size(8 * kLanes))) = long long;
   constexpr long long kAllButSign = 0x7fffffffffffffff;
   Pack<kLanes> size;
   size.v = (typename VectorOf<kLanes>::Type)((Bits)x.v & kAllButSign);

@@ -110,7 +110,8 @@ void ActuatorSchedule::passEvent(std::size_t k, double t) {
 }
 
 void ActuatorSchedule::findNextEvent() {
-  next_event_ = pending_.empty() ? kNever : pending_.begin()->first;
+  next_event_ = kNever;
+  if (!pending_.empty()) next_event_ = pending_.begin()->first;
   for (std::size_t k = 0; k < states_.size(); ++k) next_event_ = std::min(next_event_, nextOf(k));
 }
 

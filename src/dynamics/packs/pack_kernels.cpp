@@ -26,7 +26,7 @@ RIGID_BODY_SIM_INLINE Push pushOf(const Push* /*none*/, const PushBlock* pushes,
 template <class Step, class T, class Push>
 RIGID_BODY_SIM_INLINE void stepAll(const double* h, int count, PackBlock* blocks,
                                    const PushBlock* pushes, std::size_t bodies) {
-  constexpr std::size_t kLanes = sizeof(T) / sizeof(double);
+  constexpr std::size_t kBytes = 8, kLanes = sizeof(T) / kBytes;  // of a double
   constexpr std::size_t kAtOnce = kBlocksAtOnce * PackBlock::kLanes;
   for (std::size_t first = 0; first < bodies; first += kAtOnce) {
     const std::size_t end = std::min(bodies, first + kAtOnce);
