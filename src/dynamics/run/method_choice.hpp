@@ -22,7 +22,7 @@ struct MethodChoice {
   double contact_bound = 0;   ///< what the error estimate of a step in contact may reach; 0: as
                               ///< contactStepBound says
   double contact_work = kMaxContactWork;  ///< see maxContactWork
-  bool read_once = false;                  ///< of a solved motion: see SolvedProblem
+  bool read_once = false;                 ///< of a solved motion: see SolvedProblem
 };
 
 /// What follows any motion within the tolerance, at a higher price than what a trial finds: dop853
