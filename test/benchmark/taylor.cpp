@@ -25,6 +25,12 @@ BodyState turning(const Body& body) {
   return state;
 }
 
+HeldWrench held(const PointWrench& applied) {
+  HeldWrenchSum sum;
+  sum.add(applied);
+  return sum.sum();
+}
+
 HeldWrench kindOfWrench(const std::string& kind) {
   PointWrench applied;
   applied.force = Vector3d(1, 2, 12);
@@ -32,12 +38,10 @@ HeldWrench kindOfWrench(const std::string& kind) {
   HeldWrench wrench;
   if (kind == "world torque") wrench.tau_W = Vector3d(0.1, 0.2, 0.3);
   if (kind == "body torque") wrench.tau_P = Vector3d(0.1, 0.2, 0.3);
-  if (kind == "lever") wrench.add(applied);
   if (kind == "thruster") applied.axes = 0;
-  if (kind == "thruster") wrench.add(applied);
   if (kind == "pull") applied.point_frame = kWorld;
-  if (kind == "pull") wrench.add(applied);
-  return wrench;
+  const bool at_point = kind == "lever" || kind == "thruster" || kind == "pull";
+  return at_point ? held(applied) : wrench;
 }
 
 void buildSegment(benchmark::State& run, const std::string& kind) {
@@ -65,7 +69,7 @@ void changeWrench(benchmark::State& run, bool body_axes) {
     applied.force = draw.vector(10);
     applied.point = draw.vector(0.3);
     applied.torque = draw.vector(1);
-    wrench.add(applied);
+    wrench = held(applied);
   }
   for (auto _ : run) {
     BodyState state = turning(body);

@@ -30,6 +30,10 @@ Run start(World world, State state) {
   return run;
 }
 
+void requireCount(std::int64_t steps) {
+  require(steps >= 0, "a number of steps must be >= 0", Got{static_cast<double>(steps)});
+}
+
 }  // namespace
 
 SimulationDiverged::SimulationDiverged(double t, const std::string& b, const std::string& q)
@@ -89,12 +93,13 @@ void Simulation::step() {
 }
 
 void Simulation::step(std::int64_t count) {
-  require(count >= 0, "a number of steps must be >= 0, got ", std::to_string(count));
+  requireCount(count);
   if (!parts_->balance && !parts_->error) return parts_->run.step(count);
   for (std::int64_t k = 0; k < count; ++k) step();
 }
 
 void Simulation::step(std::int64_t count, std::vector<BodyState>& states) {
+  requireCount(count);
   if (!parts_->balance && !parts_->error) return parts_->run.step(count, &states);
   step(count);
   readBodies(states);
