@@ -64,6 +64,14 @@ class Groups {
 
   /// Group::knownUntil of group g; kNotKnown once it is forgotten.
   double knownUntil(std::size_t g) const { return known_until_[g]; }
+
+  /// The first group from g on, up to `end`, that is not known beyond a time t [s]; else `end`.
+  std::size_t firstNotKnownBeyond(double t, std::size_t g, std::size_t end) const {
+    const double* known_until = known_until_.data();
+    while (g < end && t < known_until[g]) ++g;
+    return g;
+  }
+
   void forgetKnown(std::size_t g) { known_until_[g] = kNotKnown; }
 
   /// Of a group that is advanced elsewhere: it need not be here.

@@ -111,8 +111,8 @@ void Run::advanceGroups(double t_end, ExchangeMeter* meter) {
     if (grouping_.mayChangeBy(t_end))
       LinkingStep(now_, grouping_, contacts_, step_, t_end, meter).advance();
     const std::size_t groups = now_.packs.size() == now_.groups.size() ? 0 : now_.groups.size();
-    for (std::size_t g = 0; g < groups; ++g) {
-      if (known_beyond < now_.groups.knownUntil(g)) continue;
+    for (std::size_t g = now_.groups.firstNotKnownBeyond(known_beyond, 0, groups); g < groups;
+         g = now_.groups.firstNotKnownBeyond(known_beyond, g + 1, groups)) {
       step_.beginGroup(g, t_end, now_.groups, now_.schedules);
       now_.advance(now_.groups[g], t_end, now_.schedules, meter);
     }

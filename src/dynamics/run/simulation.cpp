@@ -54,7 +54,8 @@ double Simulation::time() const { return parts_->run.now().time; }
 std::int64_t Simulation::steps() const { return parts_->run.now().steps; }
 
 BodyState Simulation::body(std::size_t body) const {
-  checkIndex(world(), body);
+  const World& world = *parts_->run.now().world;
+  if (body >= world.bodies.size()) checkIndex(world, body);
   return parts_->run.body(body);
 }
 
