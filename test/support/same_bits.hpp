@@ -2,10 +2,14 @@
 
 #include <array>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
+
+#include "support/worlds.hpp"
 
 /// States that agree to the last bit, the signs of zeros included.
 namespace rigid_body_sim::test {
@@ -38,6 +42,16 @@ inline void expectSameBits(const Simulation& a, const Simulation& b) {
   EXPECT_EQ(a.magnification(), b.magnification());
   EXPECT_EQ(a.maxSubsteps(), b.maxSubsteps());
   expectSameBodies(a, b);
+}
+
+/// Of all bodies at once, by two threads, and of each by itself.
+inline void expectBodiesReadByTwoThreads(Bench bench, const std::string& integrator) {
+  bench.world.solver.threads = 2;
+  Simulation simulation = bench.simulation(integrator, 0.01);
+  simulation.step(3);
+  const std::vector<BodyState> states = simulation.bodies();
+  for (std::size_t i = 0; i < states.size(); ++i)
+    ASSERT_TRUE(sameBits(states[i], simulation.body(i))) << integrator << ", body " << i;
 }
 
 }  // namespace rigid_body_sim::test

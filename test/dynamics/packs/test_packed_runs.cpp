@@ -124,14 +124,7 @@ TEST(PackedRuns, AreReadWhileTheyAreSteppedWithTheSameBits) {
 
 // so many bodies that two threads are worthwhile
 TEST(PackedRuns, AreReadByThreadsWithTheSameBits) {
-  test::Bench bench = thrownBodies(32771);
-  bench.world.solver.threads = 2;
-  Simulation simulation = bench.simulation("semi_implicit_euler", 0.01);
-  simulation.step(3);
-  std::vector<BodyState> states;
-  simulation.readBodies(states);
-  for (std::size_t i = 0; i < states.size(); ++i)
-    ASSERT_TRUE(test::sameBits(states[i], simulation.body(i))) << "body " << i;
+  test::expectBodiesReadByTwoThreads(thrownBodies(32771), "semi_implicit_euler");
 }
 
 TEST(PackedRuns, TakeInputsInTheMiddle) {

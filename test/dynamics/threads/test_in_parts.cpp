@@ -108,14 +108,7 @@ TEST(Threads, StepPacksToTheSameBits) {
 
 // so many bodies that two threads are worthwhile
 TEST(Threads, ReadManyBodiesToTheSameBits) {
-  test::Bench bench = test::thrownBodies(8203);
-  bench.world.solver.threads = 2;
-  Simulation simulation = bench.simulation("auto", 0.01);
-  simulation.step(3);
-  std::vector<BodyState> states;
-  simulation.readBodies(states);
-  for (std::size_t i = 0; i < states.size(); ++i)
-    ASSERT_TRUE(test::sameBits(states[i], simulation.body(i))) << "body " << i;
+  test::expectBodiesReadByTwoThreads(test::thrownBodies(8203), "auto");
 }
 
 }  // namespace
