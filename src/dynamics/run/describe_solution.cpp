@@ -10,6 +10,7 @@
 #include "dynamics/rotation/free_top.hpp"
 #include "dynamics/run/contact_bound.hpp"
 #include "dynamics/run/magnified_text.hpp"
+#include "dynamics/run/method_choice.hpp"
 #include "dynamics/world_changes.hpp"
 
 namespace rigid_body_sim {
@@ -97,12 +98,13 @@ std::string stepText(double h) {
   return text.str();
 }
 
-/// How a body that is solved goes on once one of these laws acts: MethodPlanner::later.
+/// How a body that is solved goes on once one of these laws acts; see MethodPlanner::later.
 std::string onceActs(const std::vector<std::string>& laws) {
   if (laws.empty()) return "";
   std::string names = laws.front();
   for (std::size_t i = 1; i < laws.size(); ++i) names += " or " + laws[i];
-  return "; once " + names + " acts, dop853 by its own error estimates";
+  return "; once " + names + " acts, " + errorControlled().method->name +
+         " by its own error estimates";
 }
 
 /// "asymmetric, exact", "Taylor", "dop853 in steps of 1 ms", or in substeps, see describeSolution

@@ -11,7 +11,7 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kMostGrowth = 2;  // of a step, beside the one before
+constexpr double kMaxGrowth = 2;  // of a step, beside the one before
 
 /// Which laws act.
 std::vector<bool> actingLaws(const System& system, const SystemState& states) {
@@ -88,8 +88,8 @@ double Stepper::takeEstimatedStep(const System& system, double h, double stable,
     if (error <= bound || stuck) {
       // else hardly anything tells how much longer a step may be: after one that was too long, they
       // grow by little at first
-      const double most = tells ? kMostGrowth : growth_;
-      growth_ = tries > 0 ? 1 : std::min(kGrowthGain * growth_, kMostGrowth);
+      const double most = tells ? kMaxGrowth : growth_;
+      growth_ = tries > 0 ? 1 : std::min(kGrowthGain * growth_, kMaxGrowth);
       next = h * (stuck ? 1 : std::clamp(factor, 0.2, most));
       return h;
     }
@@ -127,7 +127,7 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
   const auto bodies = static_cast<double>(system.bodies.size());
   double done = 0, next = -1;
   bool goes_on = false;
-  growth_ = kMostGrowth;
+  growth_ = kMaxGrowth;
   constexpr int kMaxSubsteps = 1000000;
   // what laws bring about at any state lasts over the whole step: that is known beforehand
   if (!(h * law_rate_ <= kMaxSubsteps * choice_.method->max_turn))
@@ -152,7 +152,7 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     bool stops = done < h && isBeyond(states);
     if (events_.found()) {
       double energy = 0;
-      growth_ = kMostGrowth;
+      growth_ = kMaxGrowth;
       stops |= switchContacts(system, t + done, states, energy);
       meter.addEnergy(energy);
     }

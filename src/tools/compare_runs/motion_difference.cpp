@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <stdexcept>
 
 #include <rigid_body_sim/math/rotation.hpp>
@@ -22,7 +21,7 @@ Quaterniond attitudeOf(const Motion& m) { return Quaterniond(m[6], m[3], m[4], m
 /// How far two motions at one instant are apart.
 MotionDifference between(const Motion& a, const Motion& b) {
   MotionDifference d;
-  d.same_bits = std::memcmp(a.data(), b.data(), sizeof a) == 0;  // 0 and -0 are other bits
+  d.same_bits = haveSameBits(a, b);
   if (d.same_bits) return d;
   d.position = distance(a, b, 0);
   d.attitude = angleBetween(attitudeOf(a), attitudeOf(b));

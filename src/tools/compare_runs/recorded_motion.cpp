@@ -29,11 +29,6 @@ Motion motionOf(const nav_msgs::Odometry& message) {
           angular.x,     angular.y,     angular.z};
 }
 
-/// -0 is not 0.
-bool haveSameBits(const Motion& a, const Motion& b) {
-  return std::memcmp(a.data(), b.data(), sizeof a) == 0;
-}
-
 /// A node repeats what it said while time stands.
 void add(const Motion& motion, std::vector<Motion>& of_instant) {
   const auto known = std::find_if(of_instant.begin(), of_instant.end(),
@@ -88,6 +83,10 @@ RecordedMotion motionOfCsv(const std::string& path) {
 }
 
 }  // namespace
+
+bool haveSameBits(const Motion& a, const Motion& b) {
+  return std::memcmp(a.data(), b.data(), sizeof a) == 0;
+}
 
 RecordedMotion readMotion(const std::string& path) {
   try {

@@ -12,6 +12,9 @@ namespace rigid_body_sim {
 /// [m/s] and angular velocity (3) [rad/s], in the axes of the file.
 using Motion = std::array<double, 13>;
 
+/// Of which 0 and -0 differ.
+bool haveSameBits(const Motion& a, const Motion& b);
+
 /// Motions by time [ns]: one of an instant, or several that differ, in their order. A record holds
 /// several where the state was set, the body's mass, say, while time stood.
 using Motions = std::map<std::int64_t, std::vector<Motion>>;
