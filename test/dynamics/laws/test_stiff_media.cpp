@@ -90,6 +90,7 @@ TEST(LinearMediumDrag, KeepsTheDigitsOfWhatALittleOfItMoves) {
     const Real v = -std::expm1(-z) * c.wind;
     const Real x =
         z < 1e-6L ? z * c.t * c.wind * (0.5L - z / 6) : (z + std::expm1(-z)) / k * c.wind;
+    // four roundings of each, and of the mean decay in the path as many more
     EXPECT_NEAR(sim.body(0).p_W.x() / c.mass, double(v), 1e-15 * double(v)) << c.linear;
     EXPECT_NEAR(sim.body(0).x_W.x(), double(x), 2e-15 * double(x)) << c.linear;
   }
