@@ -11,3 +11,4 @@ add_library(rigid_body_sim_extreme_cases STATIC EXCLUDE_FROM_ALL
 target_include_directories(rigid_body_sim_extreme_cases PUBLIC test)
 target_link_libraries(rigid_body_sim_extreme_cases
   PUBLIC rigid_body_sim_scene PRIVATE rigid_body_sim_options)
+target_compile_options(rigid_body_sim_extreme_cases PRIVATE $<$<CONFIG:Release>:-O1>)
