@@ -84,7 +84,6 @@ struct Workspace {
   std::vector<char> has_moved;           // state by state
   StepBound step_bound;
   double error = 0;  ///< estimated by the last step (Claim kEstimatesError); infinity: not followed
-  double whole_error = 0;  ///< likewise, with what StepBound::idle leaves out
 };
 
 /// Calls f(law, at) for each law of the system with states of its own.
