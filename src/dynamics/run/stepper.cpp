@@ -39,8 +39,6 @@ Stepper::Stepper(const MethodChoice& choice, const ErrorBound& tolerance, const 
   for (const auto& law : system.laws) consider(*law);
   for (const auto& law : system.flows) consider(*law);
   for (const auto& stateful : system.stateful_laws) consider(*stateful.law);
-  if (system.has_contact && system.stateful_laws.size() > 1)
-    for (const auto& stateful : system.stateful_laws) sharing_.push_back(stateful.law->members());
   for (const Stiffness& of_body : stiffness)
     law_rate_ = std::max({law_rate_, std::sqrt(of_body.frequency_squared), of_body.decay});
 }
@@ -81,13 +79,14 @@ double Stepper::fastestOfLaws(const System& system, double h, const SystemState&
   const ForceLaw::Bodies at{system.bodies, states.bodies};
   for (const auto& law : system.laws) fastest = std::max(fastest, law->rate(at, speeds));
   for (const auto& law : system.flows) fastest = std::max(fastest, law->rate(at, speeds));
-  std::vector<double> squares(sharing_.empty() ? 0 : states.bodies.size());  // of rates, by body
-  std::size_t k = 0;
+  // in contact the swings of several laws on one body add up
+  const bool adds_up = system.has_contact && system.stateful_laws.size() > 1;
+  std::vector<double> squares(adds_up ? states.bodies.size() : 0);  // of rates, by body
   forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& with_own) {
     const double rate = law.rate(with_own, speeds);
     fastest = std::max(fastest, rate);
-    if (sharing_.empty()) return;
-    for (std::size_t body : sharing_[k++]) squares[body] += rate * rate;
+    if (!adds_up || rate == 0) return;
+    for (std::size_t body : law.members()) squares[body] += rate * rate;
   });
   for (double square : squares) fastest = std::max(fastest, std::sqrt(square));
   return fastest;

@@ -36,7 +36,7 @@ class Stepper {
   double magnification() const { return magnification_; }
 
   /// Evaluations of all wrenches so far, those included by which events in contact were located.
-  std::int64_t evaluations() const { return workspace_.evaluations + located_by_; }
+  std::int64_t evaluations() const { return workspace_.evaluations; }
 
   /// Steps so far within which a force jumped, or nearly so: see Workspace::rough_steps.
   std::int64_t roughSteps() const { return workspace_.rough_steps; }
@@ -119,19 +119,15 @@ class Stepper {
   MethodChoice choice_;
   ErrorBound tolerance_;
   Workspace workspace_;
-  Workspace scratch_;           // for looking into a substep
-  EventSearch events_;          // of the laws
-  double law_rate_ = 0;         // [1/s] the fastest that laws bring about at any state
-  bool rate_matters_ = false;   // whether a law has a rate
-  bool speed_matters_ = false;  // whether a law's rate grows with speed
-  /// In contact: the bodies of each law with states of its own, whose swings add up where several
-  /// act on one. Empty where it is the only one.
-  std::vector<std::vector<std::size_t>> sharing_;
+  Workspace scratch_;            // for looking into a substep
+  EventSearch events_;           // of the laws
+  double law_rate_ = 0;          // [1/s] the fastest that laws bring about at any state
+  bool rate_matters_ = false;    // whether a law has a rate
+  bool speed_matters_ = false;   // whether a law's rate grows with speed
   bool torque_matters_ = false;  // whether torques other than the laws' may spin a body up
   int max_substeps_ = 1;
   double magnification_ = 0;
   double stopped_at_ = 0;
-  std::int64_t located_by_ = 0;  // evaluations
   bool at_rest_ = false;
   std::vector<Roam> roams_;
   std::vector<ContactEvent> contact_events_;

@@ -141,7 +141,7 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     const CubicBetween cubic(start, states, workspace_, step);
     const std::int64_t before = scratch_.evaluations;
     const double length = events_.firstEvent(piece, start, states, &cubic, goes_on);
-    located_by_ += scratch_.evaluations - before;
+    workspace_.evaluations += scratch_.evaluations - before;
     goes_on = !events_.found();
     visit(system, t + done, length, start, meter);
     done = length == left ? h : done + length;
