@@ -8,8 +8,6 @@
 
 #include <rigid_body_sim/dynamics/contact_point.hpp>
 
-#include <rigid_body_sim/dynamics/contact_point.hpp>
-
 namespace rigid_body_sim {
 namespace {
 
