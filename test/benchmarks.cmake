@@ -9,7 +9,7 @@ function(rigid_body_sim_benchmark name)
 endfunction()
 
 # Programs that print a table; they need nothing else.
-foreach(name long_run many motors roofline step_cost)
+foreach(name long_run many motors roofline step_cost touch_cost)
   rigid_body_sim_benchmark(benchmark_${name}
     SOURCES test/benchmark/${name}.cpp LIBRARIES rigid_body_sim_core)
 endforeach()

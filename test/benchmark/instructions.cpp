@@ -82,6 +82,14 @@ const std::map<std::string, std::function<Measured()>>& scenes() {
        [] {
          return Measured{leveredBody(), "auto"};
        }},
+      {"lever_dop853_1",
+       [] {
+         return Measured{leveredBody(), "dop853"};
+       }},
+      {"chain_dop853_1",
+       [] {
+         return Measured{chain(1), "dop853"};
+       }},
       {"free_strang_1",
        [] {
          return Measured{freeBodies(1), "strang"};

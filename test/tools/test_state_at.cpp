@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/dynamics/step_sampler.hpp>
+
 #include "support/contact_benches.hpp"
 #include "support/many_bodies.hpp"
 #include "support/same_bits.hpp"

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
 
@@ -18,9 +20,15 @@ class StepSampler {
   StepSampler(StepSampler&& other) noexcept;
   StepSampler& operator=(StepSampler&& other) noexcept;
 
+  /// To a time t [s], from which the next state goes on. Throws as at().
+  void goTo(double t);
+
   /// The state at a time t [s] from the last one on and up to the end of the step. Throws
   /// std::invalid_argument for another, and SimulationDiverged.
   State at(double t);
+
+  /// The same of Simulation::motions.
+  std::vector<BodyMotion> motions(const std::vector<std::size_t>& bodies, double t);
 
   /// Evaluations of all forces so far.
   std::int64_t evaluations() const;
@@ -28,6 +36,35 @@ class StepSampler {
  private:
   class Ahead;
   std::unique_ptr<Ahead> ahead_;
+};
+
+/// States within steps, whichever step a simulation is at. In contact those of one step go on from
+/// one another from the second instant on, so that many cost little more than the step; others are
+/// those of Simulation::sample and motions.
+class StatesWithin {
+ public:
+  StatesWithin() = default;
+
+  /// Of the instants k / rate: bits do not depend on which of them are asked for, as those that are
+  /// not are gone through, too. rate [1/s] > 0.
+  explicit StatesWithin(double rate) : rate_(rate) {}
+
+  /// At a time t [s] within the step that comes next.
+  State at(const Simulation& simulation, double t);
+  std::vector<BodyMotion> motions(const Simulation& simulation,
+                                  const std::vector<std::size_t>& bodies, double t);
+
+  /// To be called where an input, or another simulation, comes in between two of one step.
+  void restart();
+
+ private:
+  StepSampler* samplerFor(const Simulation& simulation, double t);
+  void goThrough(const Simulation& simulation, double t);
+
+  double rate_ = 0;  // 0: none
+  std::int64_t step_ = -1;
+  double last_ = 0;  // [s]
+  std::optional<StepSampler> sampler_;
 };
 
 }  // namespace rigid_body_sim

@@ -147,12 +147,13 @@ double BallContact::rate(const Bodies& at, const std::vector<double>& /*speeds*/
     }
     if (now.mode & kSlips) relaxing = std::max(relaxing, bristle_.stiffness / bristle_.damping);
   });
-  double frequency_squared = 0, decay = 0;
+  double frequency_squared = 0, decay = 0, slackness = 0;
   for (const Swings& of_side : swings) {
     frequency_squared += of_side.frequencySquared();
     decay += of_side.decay();
+    slackness = std::max(slackness, of_side.slackness());
   }
-  return std::max({relaxing, std::sqrt(frequency_squared), decay});
+  return std::max(relaxing, Swings::fastest(frequency_squared, decay, slackness));
 }
 
 double BallContact::touchRadius(std::size_t k) const {

@@ -164,6 +164,8 @@ double Patch::externalPower(const Pose& pose, const double* own) const {
   return power;
 }
 
+/// What slips pulls with no more than its cap q/|q|: across q it is as stiff as cap/|q| of its
+/// bristle, along q not at all.
 double Patch::addSwings(const Pose& pose, const double* own, Swings& swings) const {
   if (!touches(modeOf(own))) return 0;
   const Now at = now(pose, own);
@@ -171,20 +173,31 @@ double Patch::addSwings(const Pose& pose, const double* own, Swings& swings) con
     if (at.mode & (kTouches << j))
       swings.addAt(at.arm_W[j], pose.n_W, {at.point[j].stiffness(c_), at.point[j].damping(c_)});
   double relaxing = 0;
-  const auto relax = [&](Mode slipping, const Bristle& bristle) {
-    if (at.mode & slipping) relaxing = std::max(relaxing, bristle.stiffness / bristle.damping);
+  const auto held = [&](Mode slipping, const Bristle& bristle, double cap, double excess) {
+    if (!(at.mode & slipping)) return bristle;
+    relaxing = std::max(relaxing, bristle.stiffness / bristle.damping);
+    const double share = excess > 0 ? std::max(cap, 0.0) / (cap + excess) : 1;
+    return Bristle{share * bristle.stiffness, share * bristle.damping};
   };
   if (bristle_.exists()) {
-    for (const Vector3d* e_W : {&pose.e1_W, &pose.e2_W}) swings.addAt(at.center_W, *e_W, bristle_);
-    relax(kSlips, bristle_);
+    const double cap = c_.friction * at.normal;
+    const Vector2d s = planePair(own + kSlideStretch);
+    const Bristle slide =
+        held(kSlips, bristle_, cap, BristlePull<Vector2d>::excess(bristle_, s, at.v, cap));
+    for (const Vector3d* e_W : {&pose.e1_W, &pose.e2_W}) swings.addAt(at.center_W, *e_W, slide);
   }
   if (spins()) {
-    swings.addTurning(pose.n_W, spinning_);
-    relax(kSpins, spinning_);
+    const double cap = c_.friction * at.spread;
+    const Vector1d s(own[kSpinStretch]), v(at.spin);
+    swings.addTurning(pose.n_W, held(kSpins, spinning_, cap,
+                                     BristlePull<Vector1d>::excess(spinning_, s, v, cap)));
   }
   if (rolling_.exists()) {
-    for (const Vector3d* e_W : {&pose.e1_W, &pose.e2_W}) swings.addTurning(*e_W, rolling_);
-    relax(kRolls, rolling_);
+    const double cap = c_.rolling_friction * at.normal;
+    const Vector2d s = planePair(own + kRollStretch);
+    const Bristle roll =
+        held(kRolls, rolling_, cap, BristlePull<Vector2d>::excess(rolling_, s, at.roll, cap));
+    for (const Vector3d* e_W : {&pose.e1_W, &pose.e2_W}) swings.addTurning(*e_W, roll);
   }
   return relaxing;
 }

@@ -90,7 +90,8 @@ double PlaneContact::rate(const Bodies& at, const std::vector<double>& /*speeds*
     relaxing = std::max(relaxing, patch.addSwings(pose, own, swings));
     own += Patch::kOwnCount;
   }
-  return std::max({relaxing, std::sqrt(swings.frequencySquared()), swings.decay()});
+  return std::max(relaxing,
+                  Swings::fastest(swings.frequencySquared(), swings.decay(), swings.slackness()));
 }
 
 double PlaneContact::reach(const Bodies& at) const { return std::abs(poseOf(at).height) + reach_; }

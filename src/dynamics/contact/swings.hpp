@@ -40,6 +40,16 @@ class Swings {
   double frequencySquared() const { return greatest(stiffness_); }
   double decay() const { return greatest(damping_); }
 
+  /// [s] The greatest damping of a spring, as a share of its stiffness.
+  double slackness() const { return slackness_; }
+
+  /// [1/s] The fastest motion of swings that add up. λ² + c λ + k = 0 holds for each, with c at
+  /// most the slackness times k: where c² < 4 k, |λ| = √k, else 4/slackness <= |λ| <= c.
+  static double fastest(double frequency_squared, double decay, double slackness) {
+    const double frequency = std::sqrt(frequency_squared);
+    return decay * slackness < 4 ? frequency : std::max(frequency, decay);
+  }
+
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -48,15 +58,22 @@ class Swings {
     return root_I_.cwiseProduct(rotateBack(q_WP_, turn_W));
   }
   void add(const Vector6& j, const Bristle& spring) {
+    if (spring.damping > 0) slackness_ = std::max(slackness_, spring.damping / spring.stiffness);
     stiffness_ += (spring.stiffness * j) * j.transpose();
     damping_ += (spring.damping * j) * j.transpose();
   }
-  /// (Σ λ⁴)^¼ >= the greatest λ
-  static double greatest(const Matrix6& m) { return std::sqrt((m * m).eval().norm()); }
+  /// (Σ λ⁸)^⅛ >= the greatest λ
+  static double greatest(const Matrix6& m) {
+    const double size = m.norm();  // so that powers do not leave the numbers
+    if (!(size > 0)) return size;
+    const Matrix6 square = (m / size) * (m / size);
+    return size * std::sqrt(std::sqrt((square * square).eval().norm()));
+  }
 
   double root_mass_;
   Vector3d root_I_;
   Quaterniond q_WP_;
+  double slackness_ = 0;
   Matrix6 stiffness_, damping_;
 };
 

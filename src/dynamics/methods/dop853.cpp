@@ -15,11 +15,6 @@ using Weights = std::array<double, kStages>;
 /// x^(9/4)
 double power9_4(double x) { return x * x * std::sqrt(std::sqrt(x)); }
 
-struct Estimate {
-  double counted = 0;  // without what does not count
-  double whole = 0;
-};
-
 /// What a step got wrong by its embedded estimates, the greatest of all bodies: attitude [rad],
 /// angular momentum and momentum relative to their size and change, each by itself, so that a fast
 /// flight does not hide a bad attitude. Where a body has come to rest on a stiff spring, momenta
@@ -27,10 +22,10 @@ struct Estimate {
 /// 5 vanishes by accident now and then, as its sign changes, and that of order 8 with it; that of
 /// order 3 tells: see StepBound::least_share.
 template <bool kHasLeast>
-Estimate errorEstimate(const System& system, double h, const std::vector<BodyState>& states,
-                       const std::vector<BodyStateDot>& dots, const StepBound& bound) {
+double errorEstimate(const System& system, double h, const std::vector<BodyState>& states,
+                     const std::vector<BodyStateDot>& dots, const StepBound& bound) {
   const std::size_t n = states.size();
-  Estimate worst;
+  double worst = 0;
   for (std::size_t i = 0; i < n; ++i) {
     BodyStateDot error5, error3;
     for (std::size_t s = 0; s < kStages; ++s) {
@@ -48,9 +43,11 @@ Estimate errorEstimate(const System& system, double h, const std::vector<BodySta
         // what lies beyond all numbers is not known to be small
         if (!std::isfinite(size)) e = std::numeric_limits<double>::infinity();
         if (scale > 0) e = std::max(e, bound.least_share * scale * power9_4(h * e3 / scale));
-        worst.whole = std::max(worst.whole, e > 0 ? e / scale : 0.0);
+        // counted to reach the bound where it reaches `least`, or the bound relative to the size
+        worst = std::max(worst, e > 0 ? e / std::max(scale, least / bound.error) : 0.0);
+      } else {
+        worst = std::max(worst, e <= least ? 0.0 : e / scale);
       }
-      worst.counted = std::max(worst.counted, e <= least ? 0.0 : e / scale);
     };
     const Body& body = *system.bodies[i];
     const double least_L = bound.idle * body.I.minCoeff() / h;
@@ -148,11 +145,9 @@ void dop853Step(const System& system, double h, SystemState& states, Workspace& 
                : errorEstimate<false>(system, std::abs(h), states.bodies, workspace.dots, bound);
   };
   const StepBound follows;
-  const Estimate error = estimate(workspace.step_bound);
-  workspace.error = error.counted;
-  workspace.whole_error = error.whole;
+  workspace.error = estimate(workspace.step_bound);
   // not (error <= limit), so that a step to infinity is not followed either
-  if (!(workspace.error <= follows.error) && !(estimate(follows).counted <= follows.error)) {
+  if (!(workspace.error <= follows.error) && !(estimate(follows) <= follows.error)) {
     workspace.error = std::numeric_limits<double>::infinity();
     return;
   }

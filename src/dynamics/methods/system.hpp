@@ -65,7 +65,7 @@ struct SystemState {
 /// the step cannot be followed.
 struct StepBound {
   double error = 1e-4;  ///< [rad] of attitudes; of momenta relative to their size and change
-  double idle = 1e-9;  ///< errors of momenta do not count that turn a body by less [rad] within the
+  double idle = 1e-9;  ///< errors of momenta do not exceed it that turn a body by less [rad] in the
                        ///< step, or move it by less of its radius of gyration
   double least_share = 0;  ///< the estimate is no less than this share of that of order 3, to the
                            ///< power 9/4 by which an error of order 8 grows beside it
@@ -84,7 +84,6 @@ struct Workspace {
   std::vector<char> has_moved;           // state by state
   StepBound step_bound;
   double error = 0;  ///< estimated by the last step (Claim kEstimatesError); infinity: not followed
-  double whole_error = 0;  ///< likewise, with what StepBound::idle leaves out
 };
 
 /// Calls f(law, at) for each law of the system with states of its own.

@@ -115,7 +115,7 @@ double EventSearch::firstEvent(const MotionPiece& piece, const SystemState& at_s
   std::transform(guards_.begin(), guards_.end(), scales_.begin(),
                  [](double guard) { return guard < 0 ? -guard : 0; });
   guards_ = samples_.front();
-  return locate(piece, piece.start(), after, at_end);
+  return locate(piece, piece.start(), after, at_end, cubic);
 }
 
 /// The least of the guards, each as a share of what it has at the end; above zero, of those that
@@ -134,13 +134,44 @@ double EventSearch::lowestShare() const {
   return least;
 }
 
-/// Regula falsi (Illinois), each trial a shorter step; by halves where that gains too little. The
-/// sign of all guards decides, so that the bracket is certain whatever they do. guards_: at the
-/// start.
+/// Where the guards fall below zero on a cubic between two times of its piece, roughly, and how
+/// fast there. No time where the cubic does not show it.
+EventSearch::Crossing EventSearch::crossingOn(const CubicBetween& cubic, const MotionPiece& piece,
+                                              double before, double after, double low) {
+  constexpr int kMostLooks = 6;
+  constexpr double kRoughly = 1e-4;  // of the bracket: no cubic is nearer
+  const double width = after - before, start = before;
+  double high = -1;
+  Crossing crossing;
+  for (int look = 0; look < kMostLooks; ++look) {
+    const double middle = before + (after - before) * low / (low - high);
+    if (!(middle > before && middle < after)) break;
+    cubic.at((middle - piece.start()) / (piece.end() - piece.start()), trial_);
+    const double here = lowest(piece.system(), trial_);
+    const bool is_below = here < 0;
+    // by the chord on the side that it shortens
+    crossing.slope = is_below ? (here - low) / (middle - before) : (high - here) / (after - middle);
+    crossing.t = middle - here / crossing.slope;
+    if (!(std::abs(crossing.t - middle) > kRoughly * width)) break;
+    (is_below ? after : before) = middle;
+    (is_below ? high : low) = here;
+  }
+  if (!(crossing.slope < 0 && crossing.t > start)) return {};
+  return crossing;
+}
+
+/// Each trial is a shorter step: first where the cubic shows the event, then by secants, until the
+/// last trial lies beyond the event by less than the precision. Where that takes long, by regula
+/// falsi (Illinois), and by halves where that gains too little. The sign of all guards decides, so
+/// that the bracket is certain whatever they do. guards_: at the start.
 double EventSearch::locate(const MotionPiece& piece, double before, double after,
-                           SystemState& at_end) {
+                           SystemState& at_end, const CubicBetween* cubic) {
   const double precision = piece.system().event_precision * (piece.end() - piece.start());
   double low = lowestShare(), high = -1, last_width = after - before;
+  Crossing crossing;
+  if (cubic) crossing = crossingOn(*cubic, piece, before, after, low);
+  double last = std::numeric_limits<double>::quiet_NaN(), lowest_last = 0;
+  constexpr int kMostSecants = 5;
   int kept = 0;  // how often the same end stayed, and which
   for (int trial = 1; after - before > precision; ++trial) {
     const double width = after - before;
@@ -148,21 +179,31 @@ double EventSearch::locate(const MotionPiece& piece, double before, double after
     if (trial % 3 == 0) last_width = width;
     // off the ends, so that both of them move
     const double nudge = 0.5 * precision;
-    double middle = before + width * std::clamp(low / (low - high), 0.0, 1.0);
+    const bool by_secant = trial <= kMostSecants && crossing.slope < 0;
+    double middle =
+        by_secant ? crossing.t + nudge : before + width * std::clamp(low / (low - high), 0.0, 1.0);
+    if (by_secant && !(middle > before && middle < after)) middle = before + 0.5 * width;
     middle = std::clamp(middle, before + nudge, after - nudge);
-    if (slow || !(middle > before && middle < after)) middle = before + 0.5 * width;
+    if ((slow && !by_secant) || !(middle > before && middle < after)) middle = before + 0.5 * width;
     if (!(middle > before && middle < after)) break;
     piece.at(middle, trial_);
-    const double lowest_there = lowest(piece.system(), trial_);
-    if (lowest_there < 0) {
+    const double here = lowest(piece.system(), trial_);
+    if (by_secant) {
+      if (trial > 1) crossing.slope = (here - lowest_last) / (middle - last);
+      crossing.t = middle - here / crossing.slope;
+      last = middle;
+      lowest_last = here;
+    }
+    if (here < 0) {
       after = middle;
-      high = lowest_there;
+      high = here;
       kept = std::min(kept, 0) - 1;
       if (kept < -1) low *= 0.5;
       std::swap(at_end, trial_);
+      if (by_secant && trial > 1 && crossing.slope < 0 && middle - crossing.t <= precision) break;
     } else {
       before = middle;
-      low = lowest_there;
+      low = here;
       kept = std::max(kept, 0) + 1;
       if (kept > 1) high *= 0.5;
     }

@@ -28,7 +28,15 @@ class EventSearch {
  private:
   static constexpr std::size_t kParts = 8;  // of a piece, between which guards are looked at
 
-  double locate(const MotionPiece& piece, double before, double after, SystemState& at_end);
+  /// When the guards fall below zero, and how fast [1/s]; not known while that is not below zero.
+  struct Crossing {
+    double t = 0, slope = 0;
+  };
+
+  double locate(const MotionPiece& piece, double before, double after, SystemState& at_end,
+                const CubicBetween* cubic);
+  Crossing crossingOn(const CubicBetween& cubic, const MotionPiece& piece, double before,
+                      double after, double low);
   double lowest(const System& system, const SystemState& states);
   double lowestShare() const;
   double suspected(const MotionPiece& piece, const CubicBetween* cubic);

@@ -1,6 +1,9 @@
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/step_sampler.hpp>
 
 #include "dynamics/run/run.hpp"
@@ -38,11 +41,63 @@ StepSampler::~StepSampler() = default;
 StepSampler::StepSampler(StepSampler&& other) noexcept = default;
 StepSampler& StepSampler::operator=(StepSampler&& other) noexcept = default;
 
+void StepSampler::goTo(double t) { ahead_->goOnTo(t); }
+
 State StepSampler::at(double t) {
   ahead_->goOnTo(t);
   return ahead_->run().sample(t);
 }
 
+std::vector<BodyMotion> StepSampler::motions(const std::vector<std::size_t>& bodies, double t) {
+  ahead_->goOnTo(t);
+  return ahead_->run().motions(bodies, t);
+}
+
 std::int64_t StepSampler::evaluations() const { return ahead_->run().now().counts().evaluations; }
+
+/// What to ask in place of the simulation; null for the first instant of a step.
+StepSampler* StatesWithin::samplerFor(const Simulation& simulation, double t) {
+  const bool goes_on = simulation.steps() == step_ && t >= last_;
+  if (!goes_on) {
+    restart();
+    step_ = simulation.steps();
+    last_ = t;
+  }
+  if (rate_ > 0)
+    goThrough(simulation, t);
+  else if (!sampler_ && t > last_ && hasContact(simulation.world()))
+    sampler_.emplace(simulation);
+  last_ = t;
+  return sampler_ ? &*sampler_ : nullptr;
+}
+
+/// The instants before t, in contact. One that misses the step by rounding is not within it.
+void StatesWithin::goThrough(const Simulation& simulation, double t) {
+  const double h = simulation.world().solver.time_step;
+  const double from = sampler_ ? last_ : simulation.time();
+  const double rounding = std::max(1e-9 * h, 1e-15 * t);
+  if (!hasContact(simulation.world())) return;
+  for (double k = std::floor(from * rate_) + 1; k / rate_ < t - rounding; ++k) {
+    if (!(k / rate_ > from + rounding)) continue;
+    if (!sampler_) sampler_.emplace(simulation);
+    sampler_->goTo(k / rate_);
+  }
+}
+
+State StatesWithin::at(const Simulation& simulation, double t) {
+  StepSampler* sampler = samplerFor(simulation, t);
+  return sampler ? sampler->at(t) : simulation.sample(t);
+}
+
+std::vector<BodyMotion> StatesWithin::motions(const Simulation& simulation,
+                                              const std::vector<std::size_t>& bodies, double t) {
+  StepSampler* sampler = samplerFor(simulation, t);
+  return sampler ? sampler->motions(bodies, t) : simulation.motions(bodies, t);
+}
+
+void StatesWithin::restart() {
+  step_ = -1;
+  sampler_.reset();
+}
 
 }  // namespace rigid_body_sim

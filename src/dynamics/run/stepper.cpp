@@ -79,9 +79,16 @@ double Stepper::fastestOfLaws(const System& system, double h, const SystemState&
   const ForceLaw::Bodies at{system.bodies, states.bodies};
   for (const auto& law : system.laws) fastest = std::max(fastest, law->rate(at, speeds));
   for (const auto& law : system.flows) fastest = std::max(fastest, law->rate(at, speeds));
+  // in contact the swings of several laws on one body add up
+  const bool adds_up = system.has_contact && system.stateful_laws.size() > 1;
+  std::vector<double> squares(adds_up ? states.bodies.size() : 0);  // of rates, by body
   forStatefulLaws(system, states, [&](const ForceLaw& law, const ForceLaw::Bodies& with_own) {
-    fastest = std::max(fastest, law.rate(with_own, speeds));
+    const double rate = law.rate(with_own, speeds);
+    fastest = std::max(fastest, rate);
+    if (!adds_up || rate == 0) return;
+    for (std::size_t body : law.members()) squares[body] += rate * rate;
   });
+  for (double square : squares) fastest = std::max(fastest, std::sqrt(square));
   return fastest;
 }
 

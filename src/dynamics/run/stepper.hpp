@@ -35,7 +35,7 @@ class Stepper {
   /// inertia; see Claim kFeedsLeastAxis.
   double magnification() const { return magnification_; }
 
-  /// Evaluations of all wrenches so far.
+  /// Evaluations of all wrenches so far, those included by which events in contact were located.
   std::int64_t evaluations() const { return workspace_.evaluations; }
 
   /// Steps so far within which a force jumped, or nearly so: see Workspace::rough_steps.
@@ -128,7 +128,6 @@ class Stepper {
   int max_substeps_ = 1;
   double magnification_ = 0;
   double stopped_at_ = 0;
-  double growth_ = 0;  // of the next step in contact, at most, where its estimate does not tell
   bool at_rest_ = false;
   std::vector<Roam> roams_;
   std::vector<ContactEvent> contact_events_;

@@ -11,7 +11,8 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kMaxGrowth = 2;  // of a step, beside the one before
+constexpr double kMaxGrowth = 2.0;  // of a step, beside the one before
+constexpr double kStableTurn = 5;   // [rad] of dop853, which damps up to 5.9: StabilityOfDop853
 
 /// Which laws act.
 std::vector<bool> actingLaws(const System& system, const SystemState& states) {
@@ -33,23 +34,23 @@ StepBound Stepper::contactBound() const {
   // least share: of steps of bounces, true errors are 0.1 to 0.7 times that power, the greater the
   // longer the step
   // idle: no less than what rounding moves a body by that lies
-  constexpr double kIdleShare = 1e-2, kLeastIdle = 1e-17, kLeastShare = 0.25;
+  constexpr double kIdleShare = 1e-2, kLeastIdle = 1e-16, kLeastShare = 0.25;
   return {choice_.contact_bound, std::max(kIdleShare * choice_.contact_bound, kLeastIdle),
           kLeastShare};
 }
 
 /// [s] Within which the integrator is stable and its estimate can be believed, where forces are
-/// smooth.
+/// smooth: what swings or decays within it by kStableTurn is damped, and its estimate is beyond its
+/// error.
 double Stepper::stableStep(const System& system, double h, const SystemState& states) const {
-  return choice_.method->max_turn / std::max(fastestRate(system, h, states), 1e-300);
+  return kStableTurn / std::max(fastestRate(system, h, states), 1e-300);
 }
 
 /// Of stableStep: with which to begin, where no step before tells. As a rule steps that are longer
 /// err by more than the bound.
 double Stepper::shareToBegin() const {
   constexpr double kTurn = 8, kOrder = 8;
-  return std::min(
-      1.0, kTurn * std::pow(workspace_.step_bound.error, 1 / kOrder) / choice_.method->max_turn);
+  return std::min(1.0, kTurn * std::pow(workspace_.step_bound.error, 1 / kOrder) / kStableTurn);
 }
 
 /// [s] Within which forces are smooth enough for that.
@@ -68,7 +69,7 @@ double Stepper::smoothStep(const System& system, const SystemState& states) cons
 /// the momentum lasts.
 double Stepper::takeEstimatedStep(const System& system, double h, double stable,
                                   SystemState& states, double& next) {
-  constexpr double kRounding = 1e-12, kSafety = 0.9, kOrder = 8, kGrowthGain = 1.1;
+  constexpr double kRounding = 1e-12, kSafety = 0.9, kOrder = 8;
   const StepBound of_step = workspace_.step_bound;
   const double bound = of_step.error;
   const SystemState start = states;
@@ -78,19 +79,13 @@ double Stepper::takeEstimatedStep(const System& system, double h, double stable,
     workspace_.step_bound.idle = of_step.idle * std::min(1.0, h / stable);
     choice_.method->step(system, h, states, workspace_);
     workspace_.step_bound = of_step;
-    const double error = workspace_.error, whole = workspace_.whole_error;
+    const double error = workspace_.error;
     // shorter steps no longer help: rounding dominates
     const bool stuck = error <= kRounding && error > 0.5 * last_error;
-    // the next step goes by what does not count, too, unless that may be rounding
-    const bool tells = whole <= bound;
-    const double known = tells ? whole : error;
-    const double factor = kSafety * std::pow(bound / std::max(known, 1e-3 * bound), 1 / kOrder);
+    const double factor = kSafety * std::pow(bound / std::max(error, 1e-3 * bound), 1 / kOrder);
     if (error <= bound || stuck) {
-      // else hardly anything tells how much longer a step may be: after one that was too long, they
-      // grow by little at first
-      const double most = tells ? kMaxGrowth : growth_;
-      growth_ = tries > 0 ? 1 : std::min(kGrowthGain * growth_, kMaxGrowth);
-      next = h * (stuck ? 1 : std::clamp(factor, 0.2, most));
+      // after one that was too long, the next is no longer
+      next = h * (stuck ? 1 : std::clamp(factor, 0.2, tries > 0 ? 1.0 : kMaxGrowth));
       return h;
     }
     states = start;
@@ -127,7 +122,6 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
   const auto bodies = static_cast<double>(system.bodies.size());
   double done = 0, next = -1;
   bool goes_on = false;
-  growth_ = kMaxGrowth;
   constexpr int kMaxSubsteps = 1000000;
   // what laws bring about at any state lasts over the whole step: that is known beforehand
   if (!(h * law_rate_ <= kMaxSubsteps * choice_.method->max_turn))
@@ -145,14 +139,15 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
     scratch_.step_bound = workspace_.step_bound;
     const MotionPiece piece(system, *choice_.method, start, 0, step, scratch_);
     const CubicBetween cubic(start, states, workspace_, step);
+    const std::int64_t before = scratch_.evaluations;
     const double length = events_.firstEvent(piece, start, states, &cubic, goes_on);
+    workspace_.evaluations += scratch_.evaluations - before;
     goes_on = !events_.found();
     visit(system, t + done, length, start, meter);
     done = length == left ? h : done + length;
     bool stops = done < h && isBeyond(states);
     if (events_.found()) {
       double energy = 0;
-      growth_ = kMaxGrowth;
       stops |= switchContacts(system, t + done, states, energy);
       meter.addEnergy(energy);
     }

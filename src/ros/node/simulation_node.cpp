@@ -272,6 +272,7 @@ void SimulationNode::reportingDivergence(const std::function<void()>& action) {
 /// What else changes with an input that has been applied.
 void SimulationNode::follow(const SimulationInput& input) {
   mouse_.follow(input);
+  outputs_.takeInput();
   followBodies();
   const auto* reset = std::get_if<ResetInput>(&input);
   const bool loads = std::holds_alternative<LoadInput>(input);

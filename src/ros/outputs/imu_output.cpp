@@ -6,6 +6,8 @@
 
 #include <boost/array.hpp>
 
+#include <rigid_body_sim/dynamics/contact_point.hpp>
+
 namespace rigid_body_sim {
 namespace {
 
@@ -57,19 +59,42 @@ double ImuOutput::next() const {
 bool ImuOutput::publishDue(const Simulation& simulation, double t, double reach) {
   const double from = t - (reach - t);
   std::vector<std::pair<Sensor*, std::uint64_t>> due;
-  std::vector<std::size_t> bodies;
   for (Sensor& sensor : sensors_) {
     const std::optional<std::uint64_t> sample = sensor.instants.take(from, reach);
     if (!sample || !sensor.hasSubscribers()) continue;
     if (simulation.world().bodies[sensor.imu.body].absent) continue;
     due.emplace_back(&sensor, *sample);
-    bodies.push_back(sensor.imu.body);
   }
   if (due.empty()) return false;
-  const std::vector<BodyMotion> motions = simulation.motions(bodies, t);
-  for (std::size_t i = 0; i < due.size(); ++i)
-    publish(*due[i].first, simulation.world().bodies[bodies[i]], motions[i], due[i].second);
+  const std::vector<BodyMotion> motions = motionsOf(due, simulation, t);
+  for (std::size_t i = 0; i < due.size(); ++i) {
+    const auto& [sensor, sample] = due[i];
+    publish(*sensor, simulation.world().bodies[sensor->imu.body], motions[i], sample);
+  }
   return true;
+}
+
+/// Within a step in contact those of one rate go on from one another; else all at once: bodies that
+/// act on one another share the work.
+std::vector<BodyMotion> ImuOutput::motionsOf(
+    const std::vector<std::pair<Sensor*, std::uint64_t>>& due, const Simulation& simulation,
+    double t) {
+  std::vector<BodyMotion> motions;
+  std::vector<std::size_t> bodies;
+  const bool goes_on = t > simulation.time() && hasContact(simulation.world());
+  for (const auto& [sensor, sample] : due) {
+    const std::size_t body = sensor->imu.body;
+    bodies.push_back(body);
+    if (!goes_on) continue;
+    const double rate = sensor->imu.rate;
+    StatesWithin& within = within_.try_emplace(rate, rate).first->second;
+    motions.push_back(within.motions(simulation, {body}, t)[0]);
+  }
+  return goes_on ? motions : simulation.motions(bodies, t);
+}
+
+void ImuOutput::takeInput() {
+  for (auto& [rate, within] : within_) within.restart();
 }
 
 void ImuOutput::publish(Sensor& sensor, const Body& body, const BodyMotion& motion,

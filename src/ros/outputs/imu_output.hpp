@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sensor_msgs/Imu.h>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/step_sampler.hpp>
 
 #include "ros/messages/conversions.hpp"
 #include "ros/outputs/instants.hpp"
@@ -36,6 +39,9 @@ class ImuOutput {
   /// any to publish.
   bool publishDue(const Simulation& simulation, double t, double reach);
 
+  /// See Outputs::takeInput.
+  void takeInput();
+
   /// Time has been set to t [s].
   void restart(double t);
 
@@ -51,8 +57,11 @@ class ImuOutput {
       return topics.reading.subscribers() > 0 || topics.truth.subscribers() > 0;
     }
   };
+  std::vector<BodyMotion> motionsOf(const std::vector<std::pair<Sensor*, std::uint64_t>>& due,
+                                    const Simulation& simulation, double t);
   void publish(Sensor& sensor, const Body& body, const BodyMotion& motion, std::uint64_t sample);
 
+  std::map<double, StatesWithin> within_;  // by rate
   const TimeOrigin& origin_;
   std::vector<Sensor> sensors_;
 };

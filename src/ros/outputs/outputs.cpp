@@ -21,6 +21,7 @@ Outputs::Outputs(OutputTopics topics, const NodeOptions& options, const Scene& s
                  const Simulation& simulation, const TimeOrigin& origin)
     : topics_(std::move(topics)),
       simulation_(&simulation),
+      within_(options.publish_rate),
       origin_(origin),
       messages_(scene, options),
       publish_clock_(options.publish_clock),
@@ -174,6 +175,7 @@ ros::Time Outputs::lastStamp() const {
 }
 
 void Outputs::restart(double t) {
+  takeInput();
   last_state_stamp_ = last_clock_stamp_ = greeted_ = std::nullopt;
   contacts_.restart();
   imus_.restart(t);
@@ -199,7 +201,7 @@ void Outputs::publishState(double t, bool with_markers) {
   const bool seen = live_markers_.hasSubscribers();
   if (!seen) live_markers_.forget();
   if (!anySubscribers() && !topics_.tf.subscribers() && !(seen && with_markers)) return;
-  const Snapshot snapshot(*simulation_, t);
+  const Snapshot snapshot(*simulation_, within_, t);
   if (topics_.tf.subscribers() && stamp != greeted_) {
     const tf2_msgs::TFMessage frames = messages_.transforms(moving_, snapshot, stamp);
     if (!frames.transforms.empty()) topics_.tf.publish(frames, stamp);

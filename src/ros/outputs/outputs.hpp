@@ -80,7 +80,16 @@ class Outputs {
   void followBodies();
 
   /// Another simulation of the same scene is watched from now on.
-  void watch(const Simulation& simulation) { simulation_ = &simulation; }
+  void watch(const Simulation& simulation) {
+    simulation_ = &simulation;
+    takeInput();
+  }
+
+  /// To be called after an input that may come after a state within the step has been published.
+  void takeInput() {
+    within_.restart();
+    imus_.takeInput();
+  }
 
   /// See BodyMessages::follow; nothing: no body is followed any more.
   void follow(std::optional<std::size_t> body) { messages_.follow(body); }
@@ -116,6 +125,7 @@ class Outputs {
 
   OutputTopics topics_;
   const Simulation* simulation_;
+  StatesWithin within_;  // the step of that, at state_instants_
   const TimeOrigin& origin_;
   BodyMessages messages_;
   std::vector<std::size_t> listed_;            // bodies taken in, ascending

@@ -4,11 +4,13 @@
 
 #include <rigid_body_sim/dynamics/line_force.hpp>
 #include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/step_sampler.hpp>
 
 namespace rigid_body_sim {
 
 /// The bodies and the wrenches that act on them at one instant: at the present step of a simulation
-/// or within the next one. Lives no longer than the simulation stays at that step.
+/// or within the next one. Lives no longer than the simulation stays at that step, and until the
+/// next one of the same step.
 class Snapshot {
  public:
   /// t [s]: from the present to the end of the next step. Throws SimulationDiverged.
@@ -16,6 +18,13 @@ class Snapshot {
       : simulation_(simulation),
         within_step_(t > simulation.time()),
         state_(within_step_ ? simulation.sample(t) : simulation.state()) {}
+
+  /// The same by states within that step, each of which goes on from the one before.
+  Snapshot(const Simulation& simulation, StatesWithin& within, double t)
+      : simulation_(simulation),
+        within_(&within),
+        within_step_(t > simulation.time()),
+        state_(within_step_ ? within.at(simulation, t) : simulation.state()) {}
 
   double time() const { return state_.t; }
 
@@ -25,7 +34,8 @@ class Snapshot {
 
   /// How these bodies move and accelerate.
   std::vector<BodyMotion> motions(const std::vector<std::size_t>& bodies) const {
-    return simulation_.motions(bodies, state_.t);
+    return within_step_ && within_ ? within_->motions(simulation_, bodies, state_.t)
+                                   : simulation_.motions(bodies, state_.t);
   }
 
   std::vector<PointWrench> activeWrenches(std::size_t body) const {
@@ -51,6 +61,7 @@ class Snapshot {
 
  private:
   const Simulation& simulation_;
+  StatesWithin* within_ = nullptr;
   bool within_step_;
   State state_;
 };

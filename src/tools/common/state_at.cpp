@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include <rigid_body_sim/dynamics/contact_point.hpp>
-
 namespace rigid_body_sim {
 namespace {
 
@@ -26,18 +24,6 @@ State sampleAt(const Simulation& simulation, double t, const StepHooks& hooks) {
 }
 
 }  // namespace
-
-State StatesWithin::at(const Simulation& simulation, double t) {
-  const bool goes_on = simulation.steps() == step_ && t >= last_;
-  last_ = t;
-  if (!goes_on) {
-    step_ = simulation.steps();
-    sampler_.reset();
-  } else if (!sampler_ && hasContact(simulation.world())) {
-    sampler_.emplace(simulation);
-  }
-  return sampler_ ? sampler_->at(t) : simulation.sample(t);
-}
 
 std::int64_t stepsBy(const Simulation& simulation, double t) {
   constexpr double kMax = 9e18;

@@ -2,10 +2,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
-#include <rigid_body_sim/dynamics/step_sampler.hpp>
 
 namespace rigid_body_sim {
 
@@ -20,19 +18,6 @@ struct StepHooks {
   /// them: asked after `before` and `within`, of which the latter was told the end of the first.
   /// None: one, where there is anything of the above.
   std::function<std::int64_t()> free_steps;
-};
-
-/// States within steps. In contact those of one step go on from one another from the second on, so
-/// that many cost little more than the step.
-class StatesWithin {
- public:
-  /// At a time t [s] within the step that comes next. Nothing comes in between two of one step.
-  State at(const Simulation& simulation, double t);
-
- private:
-  std::int64_t step_ = -1;
-  double last_ = 0;  // [s]
-  std::optional<StepSampler> sampler_;
 };
 
 /// The number of the last step that is at time t [s], which may be infinite, or before.

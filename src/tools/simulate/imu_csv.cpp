@@ -38,7 +38,11 @@ void ImuCsv::writeAt(double t, double reach) {
     const auto sample = instants_[i].take(t - (reach - t), reach);
     const Body& body = simulation_.world().bodies[imus[i].body];
     if (!sample || body.absent) continue;
-    const ImuReading reading = readImu(imus[i], body, simulation_.motions({imus[i].body}, t)[0]);
+    StatesWithin& within = within_.try_emplace(imus[i].rate, imus[i].rate).first->second;
+    const std::vector<BodyMotion> motions = t > simulation_.time()
+                                                ? within.motions(simulation_, {imus[i].body}, t)
+                                                : simulation_.motions({imus[i].body}, t);
+    const ImuReading reading = readImu(imus[i], body, motions[0]);
     std::fprintf(out, "%.17g,%s,%s", static_cast<double>(*sample) / imus[i].rate, body.name.c_str(),
                  imus[i].name.c_str());
     for (const Vector3d& v : {reading.w_S, reading.f_S})

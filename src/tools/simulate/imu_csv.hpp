@@ -1,9 +1,11 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/dynamics/step_sampler.hpp>
 
 #include "ros/outputs/instants.hpp"
 #include "tools/simulate/csv_file.hpp"
@@ -32,6 +34,7 @@ class ImuCsv {
   void writeAt(double t, double reach);
 
   const Simulation& simulation_;
+  std::map<double, StatesWithin> within_;  // by rate
   CsvFile file_;
   std::vector<Instants> instants_;  // IMU by IMU
 };

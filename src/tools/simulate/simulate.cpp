@@ -10,6 +10,7 @@
 
 #include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
+#include <rigid_body_sim/dynamics/step_sampler.hpp>
 #include <rigid_body_sim/scene/state_file.hpp>
 
 #include "math/shortest.hpp"

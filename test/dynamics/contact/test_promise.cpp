@@ -170,7 +170,7 @@ TEST(Promise, IsTriedAtTheLeastBoundToo) {
 
 // It would hold the first seconds of a day to a tolerance that nobody knows to hold then.
 TEST(Promise, PaysForNothingOfWhichATrialTellsLittle) {
-  Bench bench = hardLanding(1e7);
+  Bench bench = hardLanding(5e7);
   bench.world.solver.horizon = 3;
   EXPECT_LT(bench.simulation("auto", 0.005).contactTrial().step_bound, contactStepBound(1e-6));
   bench.world.solver.horizon = 86400;
