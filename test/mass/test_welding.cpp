@@ -69,6 +69,16 @@ TEST(Welding, SaysWhatItWelded) {
                           "(4.76837e-07 m)"));
 }
 
+// near along two axes, and not along the third
+TEST(Welding, JoinsNoVerticesThatAreApartAlongOneAxis) {
+  for (int axis = 0; axis < 3; ++axis) {
+    TriangleMesh mesh = soup(turnedCube());
+    mesh.vertices[4][axis] += 3 * kRounding[axis];
+    const CheckedMesh checked = checkedMesh(mesh, kRounding);
+    EXPECT_THAT(checked.fault, StartsWith("mesh must be closed")) << axis;
+  }
+}
+
 TEST(Welding, NeedsToKnowHowTheNumbersWereRounded) {
   EXPECT_THAT(checkedMesh(rounded(turnedCube(), 1)).fault, StartsWith("mesh must be closed"));
 }
