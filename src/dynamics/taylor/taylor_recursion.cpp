@@ -33,20 +33,23 @@ RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size
   [[maybe_unused]] std::conditional_t<kPulled, PullRecursion<T>, int> pull(
       pullOf<T, kPulled>(equations));
   [[maybe_unused]] std::conditional_t<kDriven, DriveRecursion<T>, int> drive(given_drive);
-  Arranged<T> arranged;
-  Products<T> p{};
+  ArrangedSeries<T> arranged;
+  TwoProducts<T, kTurned> products;
+  Products<T> p;
   Lanes<T> w, q;
   load<T>(series.w[0], w);
   load<T>(series.q[0], q);
-  arranged.add(0, w, q);
-  const NewestTurn<T> turn(w, arranged);
+  arranged.template put<kTurned>(0, w, q);
   [[maybe_unused]] std::conditional_t<kTurns, Turning<T>, NoTurning> turning(equations, q);
   for (std::size_t k = 0; k < degree; ++k) {
     const T inverse = kInverse<T>[k + 1];
-    if (k > 0) arranged.add(k, w, q);
-    p.template sum<kTurned>(arranged, series, k);
-    Lanes<T> w_dot = p.ww + arranged.w_yzx[0] * arranged.w_zxy[k];
-    if (k > 0) w_dot += arranged.w_yzx[k] * arranged.w_zxy[0];
+    if (k > 0) arranged.template put<kTurned>(k, w, q);
+    if (k % 2 == 0)
+      products.begin(arranged, k, p);
+    else
+      products.end(arranged, k - 1, p);
+    Lanes<T> w_dot = p.ww + arranged[0].w_yzx * arranged[k].w_zxy;
+    if (k > 0) w_dot += arranged[k].w_yzx * arranged[0].w_zxy;
     w_dot = gyroscopic * w_dot;
     if constexpr (kTurns) {
       Lanes<T> older, newest;
@@ -74,7 +77,7 @@ RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size
       if constexpr (kPulled) pull.accelerate(k, drive.pushed());
     }
     Lanes<T> q_dot;
-    turn.q_dot(arranged, p, w, k, q_dot);
+    turnOf(arranged, p, k, q_dot);
     w = w_dot * inverse;
     q = q_dot * inverse;
     store<T>(w, series.w[k + 1]);
