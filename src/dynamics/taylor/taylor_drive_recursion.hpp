@@ -29,7 +29,7 @@ class DriveRecursion {
     load<T>(drive_.acceleration[k], acceleration);
     set<T>(0, 0, 0, 0, precession);
     for (std::size_t i = 0; i < std::min(k + 1, drive_.momentum_terms); ++i)
-      precession += momentum_yzx_[i] * a[k - i].w_zxy - momentum_zxy_[i] * a[k - i].w_yzx;
+      precession += momentum_yzx_[i] * a[k - i].right[0] - momentum_zxy_[i] * a[k - i].left[0];
     w_dot += acceleration + inv_I_ * precession;
   }
 

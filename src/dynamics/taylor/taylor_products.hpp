@@ -11,14 +11,13 @@
 namespace rigid_body_sim {
 
 /// The coefficients of one degree of ω and q, with their components in the places where the
-/// products need them.
+/// products need them: left[i] × right[i] of two degrees, and squares of the others.
 template <class T>
 struct Arranged {
-  Lanes<T> w_yzx, w_zxy;
-  Lanes<T> w_x, w_y, w_z;  // ω₁, ω₂, ω₃ in all lanes
-  Lanes<T> q_x, q_y, q_z;  // what these are multiplied with in ½ q (0, ω)
+  Lanes<T> left[4];  // ω (y, z, x), and what ω₁, ω₂ and ω₃ are multiplied with in ½ q (0, ω)
+  Lanes<T> right[4];  // ω (z, x, y), and ω₁, ω₂, ω₃ in all lanes
+  Lanes<T> mixed[2];  // (x + y, y + z, z + x) and (x + w, y + w, z + w) of q
   Lanes<T> q;
-  Lanes<T> q_cross, q_turn;  // (x + y, y + z, z + x) and (x + w, y + w, z + w)
 };
 
 /// Those so far.
@@ -37,25 +36,25 @@ class ArrangedSeries {
   template <bool kTurned>
   RIGID_BODY_SIM_INLINE void put(std::size_t k, const Lanes<T>& w, const Lanes<T>& q) {
     Arranged<T>& a = of_[k];
-    permute<1, 2, 0, 3, T>(w, a.w_yzx);
-    permute<2, 0, 1, 3, T>(w, a.w_zxy);
-    permute<0, 0, 0, 0, T>(w, a.w_x);
-    permute<1, 1, 1, 1, T>(w, a.w_y);
-    permute<2, 2, 2, 2, T>(w, a.w_z);
+    permute<1, 2, 0, 3, T>(w, a.left[0]);
+    permute<2, 0, 1, 3, T>(w, a.right[0]);
+    permute<0, 0, 0, 0, T>(w, a.right[1]);
+    permute<1, 1, 1, 1, T>(w, a.right[2]);
+    permute<2, 2, 2, 2, T>(w, a.right[3]);
     Lanes<T> wzyx, zwxy, yxwz;
     permute<3, 2, 1, 0, T>(q, wzyx);
     permute<2, 3, 0, 1, T>(q, zwxy);
     permute<1, 0, 3, 2, T>(q, yxwz);
-    a.q_x = wzyx * half_x_;
-    a.q_y = zwxy * half_y_;
-    a.q_z = yxwz * half_z_;
+    a.left[1] = wzyx * half_x_;
+    a.left[2] = zwxy * half_y_;
+    a.left[3] = yxwz * half_z_;
     if (!kTurned) return;
     Lanes<T> yzx, www;
     permute<1, 2, 0, 3, T>(q, yzx);
     permute<3, 3, 3, 3, T>(q, www);
+    a.mixed[0] = q + yzx;
+    a.mixed[1] = q + www;
     a.q = q;
-    a.q_cross = q + yzx;
-    a.q_turn = q + www;
   }
 
  private:
@@ -67,13 +66,12 @@ class ArrangedSeries {
 /// degree k themselves bring in, which come last, is kept apart: nothing but that waits for them.
 template <class T>
 struct Products {
-  Lanes<T> ww;                       ///< (ω₂ ω₃, ω₃ ω₁, ω₁ ω₂)
-  Lanes<T> qw_x, qw_y, qw_z;         ///< ½ q (0, ω), the parts of ω₁, ω₂ and ω₃
+  Lanes<T> of_w[4];  ///< (ω₂ ω₃, ω₃ ω₁, ω₁ ω₂); of ½ q (0, ω) what ω₁, ω₂, ω₃ bring
   Lanes<T> squares, crosses, turns;  ///< of the components of q
 
   RIGID_BODY_SIM_INLINE Products() {
-    set<T>(0, 0, 0, 0, ww);
-    qw_x = qw_y = qw_z = squares = crosses = turns = ww;
+    set<T>(0, 0, 0, 0, squares);
+    crosses = turns = of_w[0] = of_w[1] = of_w[2] = of_w[3] = squares;
   }
 
   /// Of squares, crosses and turns also what the newest coefficients bring in.
@@ -100,108 +98,119 @@ struct Products {
 template <class T, bool kTurned>
 class TwoProducts {
  public:
+  RIGID_BODY_SIM_INLINE TwoProducts() {  // or GCC warns, which does not see the order of the calls
+    Lanes<T>& zero = next_.squares;
+    set<T>(0, 0, 0, 0, zero);
+    for (Lanes<T>& sum : next_.of_w) sum = zero;
+    for (Lanes<T>& sum : next_.mixed) sum = zero;
+  }
+
   /// Those of the degree k, which is even, and of k + 1 what the degrees below k bring in.
   RIGID_BODY_SIM_INLINE void begin(const ArrangedSeries<T>& a, std::size_t k, Products<T>& now) {
-    if (k == 0) {
-      now = next_ = Products<T>();
-      return;
-    }
+    if (k < 4) return beginFirst(a, k, now);
+    Sums of_k;
     const Arranged<T>*low = &a[1], *high = &a[k - 1];
-    start(*low, *high, now);
-    if (k == 2) {
-      next_ = Products<T>();
-      if (!kTurned) return;
-      startSquare(*low, now);
-      unite(now);
-      return;
-    }
+    start(*low, *high, of_k);
     ++low;
     start(*low, *high, next_);
     --high;
-    add(*low, *high, now);
+    add(*low, *high, of_k);
     for (const Arranged<T>* last = &a[k - 1]; low != last;) {
       ++low;
       add(*low, *high, next_);
       --high;
-      add(*low, *high, now);
+      add(*low, *high, of_k);
     }
-    if (kTurned) beginHalves(a, k, now);
+    if (kTurned) beginHalves(a, k, of_k);
+    getFrom(of_k, now);
   }
 
   /// Those of k + 1, with what the degree k brings in.
   RIGID_BODY_SIM_INLINE void end(const ArrangedSeries<T>& a, std::size_t k, Products<T>& now) {
-    now = next_;
-    if (k == 0) return;
-    add(a[1], a[k], now);
-    add(a[k], a[1], now);
-    if (!kTurned) return;
-    addHalf(a[1], a[k], now);
-    unite(now);
+    if (k == 0) {
+      now = Products<T>();
+      return;
+    }
+    if (k == 2) {
+      start(a[1], a[2], next_);
+      startHalf(a[1], a[2], next_);
+    } else {
+      add(a[1], a[k], next_);
+      addHalf(a[1], a[k], next_);
+    }
+    add(a[k], a[1], next_);
+    getFrom(next_, now);
   }
 
  private:
-  RIGID_BODY_SIM_INLINE static void start(const Arranged<T>& a, const Arranged<T>& b,
-                                          Products<T>& p) {
-    p.ww = a.w_yzx * b.w_zxy;
-    p.qw_x = a.q_x * b.w_x;
-    p.qw_y = a.q_y * b.w_y;
-    p.qw_z = a.q_z * b.w_z;
-  }
-  RIGID_BODY_SIM_INLINE static void add(const Arranged<T>& a, const Arranged<T>& b,
-                                        Products<T>& p) {
-    p.ww += a.w_yzx * b.w_zxy;
-    p.qw_x += a.q_x * b.w_x;
-    p.qw_y += a.q_y * b.w_y;
-    p.qw_z += a.q_z * b.w_z;
+  struct Sums {
+    Lanes<T> of_w[4];
+    Lanes<T> mixed[2];  // half the sums of (x + y)² …, (x + w)² …
+    Lanes<T> squares;   // and of x² …
+  };
+
+  RIGID_BODY_SIM_INLINE void beginFirst(const ArrangedSeries<T>& a, std::size_t k,
+                                        Products<T>& now) {
+    now = Products<T>();
+    if (k == 0) return;
+    Sums of_k;
+    start(a[1], a[1], of_k);
+    startSquare(a[1], of_k);
+    getFrom(of_k, now);
   }
 
-  /// k > 2.
-  RIGID_BODY_SIM_INLINE void beginHalves(const ArrangedSeries<T>& a, std::size_t k,
-                                         Products<T>& now) {
+  /// From the middle outwards.
+  RIGID_BODY_SIM_INLINE void beginHalves(const ArrangedSeries<T>& a, std::size_t k, Sums& of_k) {
     const Arranged<T>*low = &a[k / 2], *high = low + 1;
-    startSquare(*low, now);
+    startSquare(*low, of_k);
     startHalf(*low, *high, next_);
     for (const Arranged<T>* first = &a[1];;) {
       --low;
-      addHalf(*low, *high, now);
-      if (low == first) break;
+      addHalf(*low, *high, of_k);
+      if (low == first) return;
       ++high;
       addHalf(*low, *high, next_);
     }
-    unite(now);
   }
 
-  // half the sums of x², (x + y)² and (x + w)²
-  RIGID_BODY_SIM_INLINE static void startSquare(const Arranged<T>& a, Products<T>& p) {
+  RIGID_BODY_SIM_INLINE static void start(const Arranged<T>& a, const Arranged<T>& b, Sums& sums) {
+    for (int i = 0; i < 4; ++i) sums.of_w[i] = a.left[i] * b.right[i];
+  }
+  RIGID_BODY_SIM_INLINE static void add(const Arranged<T>& a, const Arranged<T>& b, Sums& sums) {
+    for (int i = 0; i < 4; ++i) sums.of_w[i] += a.left[i] * b.right[i];
+  }
+
+  RIGID_BODY_SIM_INLINE static void startSquare(const Arranged<T>& a, Sums& sums) {
+    if (!kTurned) return;
     const T half = T(1) / T(2);
-    p.squares = a.q * half * a.q;
-    p.crosses = a.q_cross * half * a.q_cross;
-    p.turns = a.q_turn * half * a.q_turn;
+    for (int i = 0; i < 2; ++i) sums.mixed[i] = a.mixed[i] * half * a.mixed[i];
+    sums.squares = a.q * half * a.q;
   }
   RIGID_BODY_SIM_INLINE static void startHalf(const Arranged<T>& a, const Arranged<T>& b,
-                                              Products<T>& p) {
-    p.squares = a.q * b.q;
-    p.crosses = a.q_cross * b.q_cross;
-    p.turns = a.q_turn * b.q_turn;
+                                              Sums& sums) {
+    if (!kTurned) return;
+    for (int i = 0; i < 2; ++i) sums.mixed[i] = a.mixed[i] * b.mixed[i];
+    sums.squares = a.q * b.q;
   }
   RIGID_BODY_SIM_INLINE static void addHalf(const Arranged<T>& a, const Arranged<T>& b,
-                                            Products<T>& p) {
-    p.squares += a.q * b.q;
-    p.crosses += a.q_cross * b.q_cross;
-    p.turns += a.q_turn * b.q_turn;
+                                            Sums& sums) {
+    if (!kTurned) return;
+    for (int i = 0; i < 2; ++i) sums.mixed[i] += a.mixed[i] * b.mixed[i];
+    sums.squares += a.q * b.q;
   }
 
-  /// From these halves the sums themselves.
-  RIGID_BODY_SIM_INLINE static void unite(Products<T>& p) {
+  RIGID_BODY_SIM_INLINE static void getFrom(const Sums& sums, Products<T>& to) {
+    for (int i = 0; i < 4; ++i) to.of_w[i] = sums.of_w[i];
+    if (!kTurned) return;
     Lanes<T> yzx, www;
-    permute<1, 2, 0, 3, T>(p.squares, yzx);
-    permute<3, 3, 3, 3, T>(p.squares, www);
-    p.crosses = (p.crosses - p.squares) - yzx;
-    p.turns = (p.turns - p.squares) - www;
-    p.squares += p.squares;
+    permute<1, 2, 0, 3, T>(sums.squares, yzx);
+    permute<3, 3, 3, 3, T>(sums.squares, www);
+    to.crosses = (sums.mixed[0] - sums.squares) - yzx;
+    to.turns = (sums.mixed[1] - sums.squares) - www;
+    to.squares = sums.squares + sums.squares;
   }
 
-  Products<T> next_;
+  Sums next_;
 };
 
 /// A vector that a matrix takes lanes to: Σ columnᵢ laneᵢ.
@@ -217,12 +226,14 @@ RIGID_BODY_SIM_INLINE void multiply(const Lanes<T> (&column)[4], const Lanes<T>&
 
 /// The coefficient k of ½ q (0, ω), from the products without those of degree k.
 template <class T>
-RIGID_BODY_SIM_INLINE void turnOf(const ArrangedSeries<T>& a, const Products<T>& older,
+RIGID_BODY_SIM_INLINE void turnOf(const ArrangedSeries<T>& series, const Products<T>& older,
                                   std::size_t k, Lanes<T>& to) {
-  to = (a[0].q_x * a[k].w_x + a[0].q_y * a[k].w_y) + a[0].q_z * a[k].w_z;
+  const Arranged<T>& a = series[0];
+  const Arranged<T>& b = series[k];
+  to = (a.left[1] * b.right[1] + a.left[2] * b.right[2]) + a.left[3] * b.right[3];
   if (k == 0) return;
-  to += ((older.qw_x + older.qw_y) + older.qw_z) +
-        ((a[k].q_x * a[0].w_x + a[k].q_y * a[0].w_y) + a[k].q_z * a[0].w_z);
+  to += ((older.of_w[1] + older.of_w[2]) + older.of_w[3]) +
+        ((b.left[1] * a.right[1] + b.left[2] * a.right[2]) + b.left[3] * a.right[3]);
 }
 
 /// Where nothing turns with the attitude.

@@ -48,8 +48,8 @@ RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size
       products.begin(arranged, k, p);
     else
       products.end(arranged, k - 1, p);
-    Lanes<T> w_dot = p.ww + arranged[0].w_yzx * arranged[k].w_zxy;
-    if (k > 0) w_dot += arranged[k].w_yzx * arranged[0].w_zxy;
+    Lanes<T> w_dot = p.of_w[0] + arranged[0].left[0] * arranged[k].right[0];
+    if (k > 0) w_dot += arranged[k].left[0] * arranged[0].right[0];
     w_dot = gyroscopic * w_dot;
     if constexpr (kTurns) {
       Lanes<T> older, newest;
