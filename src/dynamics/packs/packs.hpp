@@ -114,7 +114,6 @@ class Packs {
     std::uint32_t lane = kNowhere;
   };
   struct Lane {
-    std::size_t body;
     std::int64_t since;     // steps of the run
     bool wrenches_current;  // then
     double next_event;      // [s]
@@ -125,7 +124,8 @@ class Packs {
     PackLoad load;
     const Method* method;
     std::vector<PackBlock> blocks;
-    std::vector<PushBlock> pushes;  // block by block; none without load
+    std::vector<PushBlock> pushes;    // block by block; none without load
+    std::vector<std::size_t> bodies;  // lane by lane
     std::vector<Lane> lanes;
   };
 
