@@ -17,7 +17,9 @@ enum PackColumn : int {
   kDifferencesColumn = 27,  ///< [kg m²] of rk4: I₂ − I₃, I₃ − I₁, I₁ − I₂
   kTurnColumn = 30,         ///< times |L_P|: |ω| h is at most that share of what a step follows
   kGrowthColumn = 31,       ///< [kg m²/s] by which |L| may grow while steps are certain
-  kPackColumns = 32
+  /// One more, which nobody uses: blocks of a power of two would lie so that processors take what
+  /// is read of one for what has just been written to the one before.
+  kPackColumns = 33
 };
 
 /// What torques, forces in body axes and drag are made of, of bodies on which such act; see
@@ -39,17 +41,17 @@ enum PushColumn : int {
   kPushColumns = 27
 };
 
-/// Eight bodies. A column is one line of the processor's cache, so that what an integrator does not
-/// use is not read.
+/// Sixteen bodies: two registers of AVX-512. A column is two lines of the processor's cache, so
+/// that what an integrator does not use is not read.
 struct alignas(64) PackBlock {
-  static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kLanes = 16;
   double columns[kPackColumns][kLanes];
 
   double* column(int c) { return columns[c]; }
   const double* column(int c) const { return columns[c]; }
 };
 
-/// The same eight bodies.
+/// The same bodies.
 struct alignas(64) PushBlock {
   double columns[kPushColumns][PackBlock::kLanes];
 };

@@ -84,7 +84,7 @@ const std::pair<const char*, PackKind> kKinds[]{
 constexpr PackLoad kLoads[]{PackLoad::kNone, PackLoad::kPush, PackLoad::kDrag};
 
 TEST(PackKernels, GiveTheSameBitsAtEveryWidth) {
-  const test::Bench bench = test::thrownBodies(120);
+  const test::Bench bench = test::thrownBodies(240);
   ASSERT_GE(packKernels().size(), 2u);
   ASSERT_EQ(packKernels().front().lanes, 1u);
   for (const PackLoad load : kLoads)
@@ -132,7 +132,7 @@ TEST(PackKernels, LeaveBodiesAloneThatAreNotAsked) {
 /// The states lie in another order than the bodies.
 TEST(PackKernels, AllBodiesOfABlockAreReadAsOneByOne) {
   const Blocks all =
-      blocksOf(test::thrownBodies(120), "rk4", PackKind::kRk4, 0.01, PackLoad::kNone);
+      blocksOf(test::thrownBodies(240), "rk4", PackKind::kRk4, 0.01, PackLoad::kNone);
   constexpr std::size_t kLanes = PackBlock::kLanes;
   std::vector<BodyState> states(kLanes + 1);
   BodyState* to[kLanes];
