@@ -12,8 +12,8 @@ namespace rigid_body_sim {
 
 namespace {
 
-/// Bodies that are read after they have been stepped, before the next.
-constexpr std::size_t kReadAtOnce = 64;
+/// Bodies that are stepped, and read, before the next.
+constexpr std::size_t kAtOnce = 64;
 
 /// What takes a thread some 200 us: steps of one body, and states copied.
 constexpr std::size_t kLeastSteps = 16384, kLeastCopies = 16384;
@@ -197,9 +197,10 @@ void Packs::advance(std::int64_t steps, std::int64_t count, std::vector<BodyStat
     const std::size_t bodies = shelf.lanes.size();
     const PackStep step = packKernelsFor(bodies).step(shelf.kind, shelf.load);
     const auto stepPart = [&](std::size_t begin, std::size_t end) {
-      const std::size_t at_once = read ? kReadAtOnce : end - begin;
-      for (std::size_t first = begin; first < end; first += at_once) {
-        const std::size_t block = first / PackBlock::kLanes, to = std::min(end, first + at_once);
+      const std::size_t parts = (end - begin + kAtOnce - 1) / kAtOnce;
+      for (std::size_t k = 0; k < parts; ++k) {
+        const std::size_t first = begin + kAtOnce * (is_backward_ ? parts - 1 - k : k);
+        const std::size_t block = first / PackBlock::kLanes, to = std::min(end, first + kAtOnce);
         step(lengths, static_cast<int>(count), shelf.blocks.data() + block,
              shelf.pushes.empty() ? nullptr : shelf.pushes.data() + block, to - first);
         if (read) copyLanes(shelf, first, to, *read);
@@ -208,6 +209,7 @@ void Packs::advance(std::int64_t steps, std::int64_t count, std::vector<BodyStat
     const std::size_t work = bodies * static_cast<std::size_t>(count);
     inParts(bodies, PackBlock::kLanes, worthwhileThreads(threads_, work, kLeastSteps), stepPart);
   }
+  is_backward_ = !is_backward_;
   certain_steps_ -= count;
 }
 

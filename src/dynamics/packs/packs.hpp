@@ -146,6 +146,9 @@ class Packs {
   std::int64_t certain_steps_ = kCertainSteps;
   double next_event_ = std::numeric_limits<double>::infinity();
   bool is_used_ = false;
+  /// Every second time all bodies are gone through from the last to the first: those that were
+  /// stepped last are still in the cache.
+  bool is_backward_ = false;
 };
 
 }  // namespace rigid_body_sim
