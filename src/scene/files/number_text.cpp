@@ -88,14 +88,6 @@ void appendNumber(double x, std::string& text) {
     return;
   }
   char number[64];
-#if defined(__cpp_lib_to_chars)
-  const double magnitude = std::abs(x);
-  if ((magnitude >= 1e-5 && magnitude < 1e15) || magnitude == 0) {  // as below, written at once
-    const auto written = std::to_chars(number, number + sizeof number, x, std::chars_format::fixed);
-    text.append(number, static_cast<std::size_t>(written.ptr - number));
-    return;
-  }
-#endif
   char* to = number;
   if (std::signbit(x)) *to++ = '-';
   Decimal decimal;
