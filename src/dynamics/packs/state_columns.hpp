@@ -22,8 +22,10 @@ enum StateColumn : int {
 static_assert(sizeof(BodyState) == kStateColumns * sizeof(double),
               "a state must be nothing but its numbers");
 
-inline const double* stateNumbers(const BodyState& state) { return state.x_W.data(); }
-inline double* stateNumbers(BodyState& state) { return state.x_W.data(); }
+inline const double* stateNumbers(const BodyState& state) {
+  return reinterpret_cast<const double*>(&state);
+}
+inline double* stateNumbers(BodyState& state) { return reinterpret_cast<double*>(&state); }
 
 /// Writes one state.
 template <std::size_t lanes>
