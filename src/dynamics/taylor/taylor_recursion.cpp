@@ -108,59 +108,51 @@ RIGID_BODY_SIM_INLINE void expandDrivenAsAsked(const TaylorEquations<T>& equatio
     expand<T, true, true, false, true>(equations, degree, series, drive);
 }
 
-/// Horner's rule without the constant term.
-template <class T>
-RIGID_BODY_SIM_INLINE void evaluateMotion(const TaylorSeries<T>& series, std::size_t degree, T s,
-                                          TaylorIncrements<T>& increments) {
-  Lanes<T> w, q;
-  load<T>(series.w[degree], w);
-  load<T>(series.q[degree], q);
-  Lanes<T> c = w;  // or GCC warns where it instruments for threads
-  for (std::size_t k = degree - 1; k > 0; --k) {
-    load<T>(series.w[k], c);
-    w = c + w * s;
-    load<T>(series.q[k], c);
-    q = c + q * s;
-  }
-  store<T>(w * s, increments.w);
-  store<T>(q * s, increments.q);
-}
-
-/// The same of the products of components of q and, if wanted, of their integrals.
-template <class T, bool kIntegrated>
-RIGID_BODY_SIM_INLINE void evaluateProducts(const TaylorSeries<T>& series, std::size_t degree, T s,
-                                            TaylorIncrements<T>& gain) {
+/// Horner's rule without the constant term, of all series in one pass: each waits for its own sum
+/// only. Of ω and q, or also of the products of components of q (kSeries 5) and of their integrals.
+template <class T, int kSeries, bool kIntegrated>
+RIGID_BODY_SIM_INLINE void evaluateSeries(const TaylorSeries<T>& series, std::size_t degree, T s,
+                                          TaylorIncrements<T>& gain) {
+  constexpr int kMotion = 2;
   using Coefficient = const T(*)[4];
-  const Coefficient of[] = {series.squares, series.crosses, series.turns};
-  Lanes<T> sum[3], whole[3], c;
-  for (int j = 0; j < 3; ++j) {
+  const Coefficient of[] = {series.w, series.q, series.squares, series.crosses, series.turns};
+  Lanes<T> sum[kSeries], whole[3], c;
+  for (int j = 0; j < kSeries; ++j) {
     load<T>(of[j][degree], sum[j]);
-    if constexpr (kIntegrated) whole[j] = sum[j] * kInverse<T>[degree + 1];
+    if constexpr (kIntegrated)
+      if (j >= kMotion) whole[j - kMotion] = sum[j] * kInverse<T>[degree + 1];
   }
-  c = sum[0];
+  c = sum[0];  // or GCC warns where it instruments for threads
   for (std::size_t k = degree - 1; k > 0; --k)
-    for (int j = 0; j < 3; ++j) {
+    for (int j = 0; j < kSeries; ++j) {
       load<T>(of[j][k], c);
       sum[j] = c + sum[j] * s;
-      if constexpr (kIntegrated) whole[j] = c * kInverse<T>[k + 1] + whole[j] * s;
+      if constexpr (kIntegrated)
+        if (j >= kMotion) whole[j - kMotion] = c * kInverse<T>[k + 1] + whole[j - kMotion] * s;
     }
-  store<T>(sum[0] * s, gain.squares);
-  store<T>(sum[1] * s, gain.crosses);
-  store<T>(sum[2] * s, gain.turns);
-  if constexpr (!kIntegrated) return;
-  store<T>(whole[0] * (s * s), gain.integrals.squares);
-  store<T>(whole[1] * (s * s), gain.integrals.crosses);
-  store<T>(whole[2] * (s * s), gain.integrals.turns);
+  store<T>(sum[0] * s, gain.w);
+  store<T>(sum[1] * s, gain.q);
+  if constexpr (kSeries > kMotion) {
+    store<T>(sum[2] * s, gain.squares);
+    store<T>(sum[3] * s, gain.crosses);
+    store<T>(sum[4] * s, gain.turns);
+  }
+  if constexpr (kIntegrated) {
+    store<T>(whole[0] * (s * s), gain.integrals.squares);
+    store<T>(whole[1] * (s * s), gain.integrals.crosses);
+    store<T>(whole[2] * (s * s), gain.integrals.turns);
+  }
 }
 
 template <class T>
 RIGID_BODY_SIM_INLINE void evaluate(const TaylorSeries<T>& series, TaylorGains wanted,
                                     std::size_t degree, T s, TaylorIncrements<T>& increments) {
-  evaluateMotion(series, degree, s, increments);
-  if (wanted == TaylorGains::kProducts)
-    evaluateProducts<T, false>(series, degree, s, increments);
-  else if (wanted == TaylorGains::kIntegrals)
-    evaluateProducts<T, true>(series, degree, s, increments);
+  if (wanted == TaylorGains::kMotion)
+    evaluateSeries<T, 2, false>(series, degree, s, increments);
+  else if (wanted == TaylorGains::kProducts)
+    evaluateSeries<T, 5, false>(series, degree, s, increments);
+  else
+    evaluateSeries<T, 5, true>(series, degree, s, increments);
 }
 
 #if defined(__x86_64__)
