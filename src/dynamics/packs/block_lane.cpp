@@ -145,9 +145,9 @@ bool isCertain(const PackBlock& block, std::size_t lane) {
   return turnsSlowly(block, lane) && isModest(block, lane);
 }
 
-bool isCertain(const PackBlock& block) {
+bool areCertain(const PackBlock& block, std::size_t bodies) {
   bool all = true;
-  for (std::size_t lane = 0; lane < PackBlock::kLanes; ++lane) all &= isCertain(block, lane);
+  for (std::size_t lane = 0; lane < bodies; ++lane) all &= isCertain(block, lane);
   return all;
 }
 

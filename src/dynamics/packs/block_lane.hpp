@@ -17,21 +17,9 @@ void putBody(const SteadyMotion& motion, PackKind kind, double h, const BodyStat
 /// Writes all columns of a lane, where anything acts beside a force at the centre of mass.
 PackLoad putPush(const SteadyMotion& motion, double h, PushBlock& block, std::size_t lane);
 
-inline void copyBody(const PackBlock& block, std::size_t lane, BodyState& state) {
-  const auto copy = [&](int column, auto& to) {
-    for (int i = 0; i < to.size(); ++i) to(i) = block.columns[column + i][lane];
-  };
-  copy(kPositionColumn, state.x_W);
-  copy(kPositionLowColumn, state.x_low_W);
-  copy(kAttitudeColumn, state.q_WP.coeffs());
-  copy(kMomentumColumn, state.p_W);
-  copy(kSpinColumn, state.L_P);
-  copy(kWorldSpinColumn, state.L_W);
-}
-
 inline BodyState bodyIn(const PackBlock& block, std::size_t lane) {
   BodyState state;
-  copyBody(block, lane, state);
+  copyState(block.columns, lane, state);
   return state;
 }
 
@@ -52,7 +40,7 @@ bool slowsSlowly(const PackBlock& block, const PushBlock& push, std::size_t lane
 bool staysModest(const PackBlock& block, std::size_t lane);
 bool staysModest(const PushBlock& block, std::size_t lane);
 
-/// isCertain of all bodies of a block.
-bool isCertain(const PackBlock& block);
+/// isCertain of the first bodies of a block.
+bool areCertain(const PackBlock& block, std::size_t bodies);
 
 }  // namespace rigid_body_sim

@@ -4,38 +4,27 @@
 #include <cstddef>
 #include <vector>
 
+#include "dynamics/packs/state_columns.hpp"
 #include "dynamics/rotation/free_flight.hpp"
 
 namespace rigid_body_sim {
 
 /// What a kernel reads of a free flight, and where it writes its state: numbers side by side.
 struct FlightLane {
-  double dt;          ///< [s] since its start
-  double mass;        ///< [kg]
-  const double* f_W;  ///< [N]
-  const double* x_W;  ///< of the start, as the next two
-  const double* x_low_W;
-  const double* p_W;
+  double dt;               ///< [s] since its start
+  double mass;             ///< [kg]
+  const double* f_W;       ///< [N]
+  const double* start;     ///< the state there, in the order of StateColumn
   const double* rotation;  ///< ThetaRotation::numbers
 };
 
-/// What a kernel writes, lane by lane: a number of all bodies is one column.
-enum FlightColumn : int {
-  kFlightPosition = 0,
-  kFlightPositionLow = 3,
-  kFlightAttitude = 6,  ///< x, y, z, w
-  kFlightMomentum = 10,
-  kFlightSpin = 13,  ///< L_P
-  kFlightColumns = 16
-};
-
-/// Eight bodies.
+/// The states that a kernel writes: of eight bodies.
 struct alignas(64) FlightBlock {
   static constexpr std::size_t kLanes = 8;
-  double columns[kFlightColumns][kLanes];
+  double columns[kStateColumns][kLanes];
 };
 
-/// Evaluates so many flights, at most eight; further lanes up to a multiple of its width, too.
+/// Evaluates so many flights, at most eight; there must be eight lanes.
 using FlightStep = void (*)(const FlightLane* lanes, std::size_t count, FlightBlock& block);
 
 /// The evaluations of one width, of flights that circle e₁ and e₃. All widths give the same bits.
@@ -43,6 +32,8 @@ struct FlightKernels {
   std::size_t lanes;         ///< bodies at once
   const char* instructions;  ///< such as "AVX2"; empty: those that every processor has
   FlightStep first, last;
+  /// Writes the states of all lanes.
+  void (*copy)(const FlightBlock& block, BodyState* const* states);
 };
 
 /// Those that this processor can run, the narrowest first; that is one body at a time.
@@ -67,7 +58,6 @@ class FlightBatch {
   struct Shelf {
     std::size_t size = 0;
     std::array<FlightLane, FlightBlock::kLanes> lanes;
-    std::array<const FreeFlight*, FlightBlock::kLanes> flights;
     std::array<BodyState*, FlightBlock::kLanes> states;
   };
   void evaluate(Shelf& shelf, FlightStep FlightKernels::*step);

@@ -3,25 +3,23 @@
 #include <cstddef>
 #include <vector>
 
+#include "dynamics/packs/state_columns.hpp"
+
 namespace rigid_body_sim {
 
 /// What a block holds of each of its bodies: the state of free motion, and what stays the same from
 /// step to step.
 enum PackColumn : int {
-  kPositionColumn = 0,        ///< x_W, three columns
-  kPositionLowColumn = 3,     ///< x_low_W, three
-  kAttitudeColumn = 6,        ///< q_WP: x, y, z, w
-  kMomentumColumn = 10,       ///< p_W, three
-  kSpinColumn = 13,           ///< L_P, three
-  kWorldSpinColumn = 16,      ///< L_W, three
-  kMagnificationColumn = 19,  ///< Stepper::magnification
-  kForceColumn = 20,          ///< [N] that acts, three
-  kMassColumn = 23,           ///< [kg]
-  kRotationColumn = 24,       ///< [1/(kg m²)] 1/I; of strang, k_a, k_b, 1/I_r of its split; three
-  kDifferencesColumn = 27,    ///< [kg m²] of rk4: I₂ − I₃, I₃ − I₁, I₁ − I₂
-  kTurnColumn = 30,           ///< times |L_P|: |ω| h is at most that share of what a step follows
-  kGrowthColumn = 31,         ///< [kg m²/s] by which |L| may grow while steps are certain
-  kPackColumns = 32
+  kMagnificationColumn = kStateColumns,  ///< Stepper::magnification
+  kForceColumn = 20,                     ///< [N] that acts, three
+  kMassColumn = 23,                      ///< [kg]
+  kRotationColumn = 24,     ///< [1/(kg m²)] 1/I; of strang, k_a, k_b, 1/I_r of its split; three
+  kDifferencesColumn = 27,  ///< [kg m²] of rk4: I₂ − I₃, I₃ − I₁, I₁ − I₂
+  kTurnColumn = 30,         ///< times |L_P|: |ω| h is at most that share of what a step follows
+  kGrowthColumn = 31,       ///< [kg m²/s] by which |L| may grow while steps are certain
+  /// One more, which nobody uses: blocks of a power of two would lie so that processors take what
+  /// is read of one for what has just been written to the one before.
+  kPackColumns = 33
 };
 
 /// What torques, forces in body axes and drag are made of, of bodies on which such act; see
@@ -43,17 +41,17 @@ enum PushColumn : int {
   kPushColumns = 27
 };
 
-/// Eight bodies. A column is one line of the processor's cache, so that what an integrator does not
-/// use is not read.
+/// Sixteen bodies: two registers of AVX-512. A column is two lines of the processor's cache, so
+/// that what an integrator does not use is not read.
 struct alignas(64) PackBlock {
-  static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kLanes = 16;
   double columns[kPackColumns][kLanes];
 
   double* column(int c) { return columns[c]; }
   const double* column(int c) const { return columns[c]; }
 };
 
-/// The same eight bodies.
+/// The same bodies.
 struct alignas(64) PushBlock {
   double columns[kPushColumns][PackBlock::kLanes];
 };

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <type_traits>
+#include <utility>
+
 #include "dynamics/laws/drag_flow.hpp"
 #include "dynamics/packs/pack_block.hpp"
 #include "dynamics/rotation/free_motion.hpp"
@@ -12,11 +15,12 @@ namespace rigid_body_sim {
 template <class T, class Block>
 class BlockLanes {
  public:
-  RIGID_BODY_SIM_INLINE BlockLanes(Block& block, std::size_t lane) : block_(block), lane_(lane) {}
+  RIGID_BODY_SIM_INLINE BlockLanes(Block& block, std::size_t lane)
+      : first_(&block.columns[0][lane]) {}
 
   RIGID_BODY_SIM_INLINE T at(int column) const {
     T value;
-    load(block_.columns[column] + lane_, value);
+    load(place(column), value);
     return value;
   }
   RIGID_BODY_SIM_INLINE Triple<T> tripleAt(int column) const {
@@ -24,16 +28,22 @@ class BlockLanes {
   }
 
  protected:
-  Block& block_;
-  std::size_t lane_;
+  using Number = std::remove_reference_t<decltype(std::declval<Block&>().columns[0][0])>;
+
+  /// All at a constant distance from the first, whatever the lane.
+  RIGID_BODY_SIM_INLINE Number* place(int column) const {
+    return first_ + column * static_cast<int>(PackBlock::kLanes);
+  }
+
+ private:
+  Number* first_;
 };
 
 /// The bodies of a block from one lane on.
 template <class T>
 class PackLanes : public BlockLanes<T, PackBlock> {
   using Base = BlockLanes<T, PackBlock>;
-  using Base::block_;
-  using Base::lane_;
+  using Base::place;
 
  public:
   using Base::at;
@@ -43,9 +53,7 @@ class PackLanes : public BlockLanes<T, PackBlock> {
     return {at(column), at(column + 1), at(column + 2), at(column + 3)};
   }
 
-  RIGID_BODY_SIM_INLINE void put(int column, const T& value) {
-    store(value, block_.columns[column] + lane_);
-  }
+  RIGID_BODY_SIM_INLINE void put(int column, const T& value) { store(value, place(column)); }
   RIGID_BODY_SIM_INLINE void put(int column, const Triple<T>& v) {
     put(column, v.x);
     put(column + 1, v.y);

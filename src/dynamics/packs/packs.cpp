@@ -6,13 +6,14 @@
 
 #include "dynamics/packs/block_lane.hpp"
 #include "dynamics/packs/in_parts.hpp"
+#include "dynamics/packs/read_block.hpp"
 
 namespace rigid_body_sim {
 
 namespace {
 
-/// Bodies that are read after they have been stepped, before the next.
-constexpr std::size_t kReadAtOnce = 64;
+/// Bodies that are stepped, and read, before the next.
+constexpr std::size_t kAtOnce = 64;
 
 /// What takes a thread some 200 us: steps of one body, and states copied.
 constexpr std::size_t kLeastSteps = 16384, kLeastCopies = 16384;
@@ -54,7 +55,7 @@ std::vector<std::size_t> Packs::bodies() const {
   std::vector<std::size_t> bodies;
   bodies.reserve(size_);
   for (const Shelf& shelf : shelves_)
-    for (const Lane& lane : shelf.lanes) bodies.push_back(lane.body);
+    bodies.insert(bodies.end(), shelf.bodies.begin(), shelf.bodies.end());
   return bodies;
 }
 
@@ -66,7 +67,7 @@ Packs::Shelf& Packs::shelfOf(PackKind kind, PackLoad load, const Method& method,
   const auto found = std::find_if(shelves_.begin(), shelves_.end(), fits);
   index = static_cast<std::uint32_t>(found - shelves_.begin());
   if (found != shelves_.end()) return *found;
-  shelves_.push_back({kind, load, &method, {}, {}, {}});
+  shelves_.push_back({kind, load, &method, {}, {}, {}, {}});
   return shelves_.back();
 }
 
@@ -91,7 +92,8 @@ bool Packs::add(std::size_t body, const SteadyMotion& motion, const BodyState& s
   }
   copyLane(alone, 0, shelf.blocks.back(), lane % PackBlock::kLanes);
   if (loaded) copyLane(push, 0, shelf.pushes.back(), lane % PackBlock::kLanes);
-  shelf.lanes.push_back({body, steps, motion.wrenches_current, next_event});
+  shelf.bodies.push_back(body);
+  shelf.lanes.push_back({steps, motion.wrenches_current, next_event});
   places_[body] = {index, static_cast<std::uint32_t>(lane)};
   new_.push_back(body);
   next_event_ = std::min(next_event_, next_event);
@@ -107,7 +109,8 @@ void Packs::putLast(std::size_t lane, Shelf& shelf) {
   if (!shelf.pushes.empty())
     copyLane(shelf.pushes.back(), last, shelf.pushes[lane / kLanes], lane % kLanes);
   shelf.lanes[lane] = shelf.lanes.back();
-  places_[shelf.lanes[lane].body].lane = static_cast<std::uint32_t>(lane);
+  shelf.bodies[lane] = shelf.bodies.back();
+  places_[shelf.bodies[lane]].lane = static_cast<std::uint32_t>(lane);
 }
 
 void Packs::remove(std::size_t body) {
@@ -115,6 +118,7 @@ void Packs::remove(std::size_t body) {
   Shelf& shelf = shelves_[place.shelf];
   if (place.lane + 1 != shelf.lanes.size()) putLast(place.lane, shelf);
   shelf.lanes.pop_back();
+  shelf.bodies.pop_back();
   const std::size_t last_lane = shelf.lanes.size() % PackBlock::kLanes;
   if (last_lane == 0) {
     shelf.blocks.pop_back();
@@ -134,9 +138,15 @@ BodyState Packs::state(std::size_t body) const {
 
 void Packs::copyLanes(const Shelf& shelf, std::size_t first, std::size_t end,
                       std::vector<BodyState>& states) {
-  for (std::size_t i = first; i < end; ++i)
-    copyBody(shelf.blocks[i / PackBlock::kLanes], i % PackBlock::kLanes,
-             states[shelf.lanes[i].body]);
+  constexpr std::size_t kLanes = PackBlock::kLanes;
+  std::size_t i = first;
+  for (; i + kLanes <= end; i += kLanes) {
+    BodyState* to[kLanes];
+    for (std::size_t k = 0; k < kLanes; ++k) to[k] = &states[shelf.bodies[i + k]];
+    readBlock()(shelf.blocks[i / kLanes], to);
+  }
+  for (; i < end; ++i)
+    copyState(shelf.blocks[i / kLanes].columns, i % kLanes, states[shelf.bodies[i]]);
 }
 
 void Packs::copyTo(std::vector<BodyState>& states) const {
@@ -187,9 +197,10 @@ void Packs::advance(std::int64_t steps, std::int64_t count, std::vector<BodyStat
     const std::size_t bodies = shelf.lanes.size();
     const PackStep step = packKernelsFor(bodies).step(shelf.kind, shelf.load);
     const auto stepPart = [&](std::size_t begin, std::size_t end) {
-      const std::size_t at_once = read ? kReadAtOnce : end - begin;
-      for (std::size_t first = begin; first < end; first += at_once) {
-        const std::size_t block = first / PackBlock::kLanes, to = std::min(end, first + at_once);
+      const std::size_t parts = (end - begin + kAtOnce - 1) / kAtOnce;
+      for (std::size_t k = 0; k < parts; ++k) {
+        const std::size_t first = begin + kAtOnce * (is_backward_ ? parts - 1 - k : k);
+        const std::size_t block = first / PackBlock::kLanes, to = std::min(end, first + kAtOnce);
         step(lengths, static_cast<int>(count), shelf.blocks.data() + block,
              shelf.pushes.empty() ? nullptr : shelf.pushes.data() + block, to - first);
         if (read) copyLanes(shelf, first, to, *read);
@@ -198,6 +209,7 @@ void Packs::advance(std::int64_t steps, std::int64_t count, std::vector<BodyStat
     const std::size_t work = bodies * static_cast<std::size_t>(count);
     inParts(bodies, PackBlock::kLanes, worthwhileThreads(threads_, work, kLeastSteps), stepPart);
   }
+  is_backward_ = !is_backward_;
   certain_steps_ -= count;
 }
 
@@ -206,11 +218,13 @@ std::vector<std::size_t> Packs::review() {
   for (const Shelf& shelf : shelves_)
     for (std::size_t b = 0; b < shelf.blocks.size(); ++b) {
       const bool drags = shelf.load == PackLoad::kDrag;
-      if (!drags && isCertain(shelf.blocks[b])) continue;
-      for (std::size_t k = 0; k < PackBlock::kLanes; ++k)
+      const std::size_t first = b * PackBlock::kLanes,
+                        bodies = std::min(PackBlock::kLanes, shelf.bodies.size() - first);
+      if (!drags && areCertain(shelf.blocks[b], bodies)) continue;
+      for (std::size_t k = 0; k < bodies; ++k)
         if (!isCertain(shelf.blocks[b], k) ||
             (drags && !slowsSlowly(shelf.blocks[b], shelf.pushes[b], k)))
-          uncertain.push_back(shelf.lanes[b * PackBlock::kLanes + k].body);
+          uncertain.push_back(shelf.bodies[first + k]);
     }
   certain_steps_ = kCertainSteps;
   return uncertain;
@@ -220,11 +234,11 @@ std::vector<std::size_t> Packs::withEventBy(double t) {
   std::vector<std::size_t> bodies;
   next_event_ = std::numeric_limits<double>::infinity();
   for (const Shelf& shelf : shelves_)
-    for (const Lane& lane : shelf.lanes)
-      if (lane.next_event <= t)
-        bodies.push_back(lane.body);
+    for (std::size_t i = 0; i < shelf.lanes.size(); ++i)
+      if (shelf.lanes[i].next_event <= t)
+        bodies.push_back(shelf.bodies[i]);
       else
-        next_event_ = std::min(next_event_, lane.next_event);
+        next_event_ = std::min(next_event_, shelf.lanes[i].next_event);
   return bodies;
 }
 

@@ -114,7 +114,6 @@ class Packs {
     std::uint32_t lane = kNowhere;
   };
   struct Lane {
-    std::size_t body;
     std::int64_t since;     // steps of the run
     bool wrenches_current;  // then
     double next_event;      // [s]
@@ -125,7 +124,8 @@ class Packs {
     PackLoad load;
     const Method* method;
     std::vector<PackBlock> blocks;
-    std::vector<PushBlock> pushes;  // block by block; none without load
+    std::vector<PushBlock> pushes;    // block by block; none without load
+    std::vector<std::size_t> bodies;  // lane by lane
     std::vector<Lane> lanes;
   };
 
@@ -146,6 +146,9 @@ class Packs {
   std::int64_t certain_steps_ = kCertainSteps;
   double next_event_ = std::numeric_limits<double>::infinity();
   bool is_used_ = false;
+  /// Every second time all bodies are gone through from the last to the first: those that were
+  /// stepped last are still in the cache.
+  bool is_backward_ = false;
 };
 
 }  // namespace rigid_body_sim

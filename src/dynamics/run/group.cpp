@@ -133,16 +133,19 @@ MotionAnchor Group::anchorOf(std::size_t k) const {
 }
 
 void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
-  std::vector<HeldWrenchSum> sums(bodies_.members.size());
   system_.coupled.clear();
+  system_.held.clear();
+  system_.held.reserve(bodies_.members.size());
+  auto pivot = system_.pivots.begin();
   const auto isHere = [this](std::size_t frame) {
     return frame == kWorld ||
            std::binary_search(bodies_.members.begin(), bodies_.members.end(), frame);
   };
   for (std::size_t k = 0; k < bodies_.members.size(); ++k) {
+    HeldWrenchSum sum;
     for (PointWrench wrench : schedules[bodies_.members[k]].active()) {
       if (HeldWrench::holds(wrench)) {
-        sums[k].add(wrench);
+        sum.add(wrench);
       } else if (isHere(wrench.axes) && isHere(wrench.point_frame)) {
         wrench.body = k;
         wrench.axes = localIndex(wrench.axes);
@@ -150,11 +153,10 @@ void Group::gatherWrenches(const std::vector<WrenchSchedule>& schedules) {
         system_.coupled.push_back(wrench);
       }  // else its bodies are about to be linked
     }
+    const bool on_pivot = pivot != system_.pivots.end() && pivot->body == k;
+    system_.held.push_back(on_pivot ? heldOnPivot(*system_.bodies[k], sum, *pivot) : sum.sum());
+    if (on_pivot) ++pivot;
   }
-  system_.held.clear();
-  for (const HeldWrenchSum& sum : sums) system_.held.push_back(sum.sum());
-  for (System::Pivot& pivot : system_.pivots)
-    system_.held[pivot.body] = heldOnPivot(*system_.bodies[pivot.body], sums[pivot.body], pivot);
   if (!system_.driven.empty()) gatherActuators(schedules);
   const bool no_laws =
       system_.laws.empty() && system_.flows.empty() && system_.stateful_laws.empty();

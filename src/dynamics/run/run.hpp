@@ -63,7 +63,8 @@ class Run {
     if (!moves(now_.world->bodies[body])) return now_.start->bodies[body];
     return now_.groups.at(body, now_.time);
   }
-  void readBodies(std::vector<BodyState>& states) const;
+  /// backward: from the last body to the first; the same states.
+  void readBodies(std::vector<BodyState>& states, bool backward = false) const;
   State state() const;
 
   /// The state at a time between now and the next step; the run goes on as if never asked.
@@ -119,7 +120,8 @@ class Run {
   std::int64_t packedSteps(std::int64_t at_most) const;
   void restartGroup(std::size_t body);
   Run goneOnTo(double t) const;
-  void readGroups(std::size_t first, std::size_t end, std::vector<BodyState>& states) const;
+  void readGroups(std::size_t first, std::size_t end, bool backward,
+                  std::vector<BodyState>& states) const;
   std::vector<BodySchedule> scheduleEntries() const;
 
   ContactTrial contact_trial_;
@@ -129,6 +131,8 @@ class Run {
   RunMotors motors_;
   RunContacts contacts_;
   StepRecord step_;
+  /// Every second time states are read after steps: those read last are still in the cache.
+  bool reads_backward_ = false;
 };
 
 }  // namespace rigid_body_sim

@@ -157,7 +157,11 @@ void Run::step(std::int64_t count, std::vector<BodyState>* states) {
     count -= std::max<std::int64_t>(1, steps);
   }
   if (!states) return;
-  if (!is_read) return readBodies(*states);
+  if (!is_read) {
+    readBodies(*states, reads_backward_);
+    reads_backward_ = !reads_backward_;
+    return;
+  }
   // all others are fixed or absent
   for (std::size_t i = 0; now_.groups.size() < states->size() && i < states->size(); ++i)
     if (!now_.groups.has(i)) (*states)[i] = now_.start->bodies[i];

@@ -24,22 +24,24 @@ std::vector<BodySchedule> Run::scheduleEntries() const {
   return entries;
 }
 
-void Run::readBodies(std::vector<BodyState>& states) const {
+void Run::readBodies(std::vector<BodyState>& states, bool backward) const {
   states.resize(now_.world->bodies.size());
   now_.packs.copyTo(states);
   if (now_.packs.size() == states.size()) return;
   constexpr std::size_t kLeastReads = 4096;  // bodies, by one thread: some 200 us
   inParts(states.size(), 1,
           worthwhileThreads(now_.world->solver.threads, states.size(), kLeastReads),
-          [&](std::size_t first, std::size_t end) { readGroups(first, end, states); });
+          [&](std::size_t first, std::size_t end) { readGroups(first, end, backward, states); });
 }
 
 /// Of the bodies [first, end) those that are in no pack.
-void Run::readGroups(std::size_t first, std::size_t end, std::vector<BodyState>& states) const {
+void Run::readGroups(std::size_t first, std::size_t end, bool backward,
+                     std::vector<BodyState>& states) const {
   FlightBatch batch;
   constexpr std::size_t kAhead = 8;  // bodies
-  for (std::size_t i = first; i < end; ++i) {
-    const std::size_t ahead = std::min(i + kAhead, end - 1);
+  const auto bodyAt = [&](std::size_t k) { return backward ? end - 1 - k : first + k; };
+  for (std::size_t k = 0; k < end - first; ++k) {
+    const std::size_t i = bodyAt(k), ahead = bodyAt(std::min(k + kAhead, end - 1 - first));
     if (now_.groups.has(ahead)) now_.groups.of(ahead).announceRead();
     if (now_.packs.holds(i)) continue;
     if (!now_.groups.has(i))

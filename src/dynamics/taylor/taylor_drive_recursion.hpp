@@ -23,13 +23,13 @@ class DriveRecursion {
   }
 
   /// To the coefficient k of ω', from those of ω up to k.
-  RIGID_BODY_SIM_INLINE void addAcceleration(const Arranged<T>& a, std::size_t k,
+  RIGID_BODY_SIM_INLINE void addAcceleration(const ArrangedSeries<T>& a, std::size_t k,
                                              Lanes<T>& w_dot) const {
     Lanes<T> acceleration, precession;
     load<T>(drive_.acceleration[k], acceleration);
     set<T>(0, 0, 0, 0, precession);
     for (std::size_t i = 0; i < std::min(k + 1, drive_.momentum_terms); ++i)
-      precession += momentum_yzx_[i] * a.w_zxy[k - i] - momentum_zxy_[i] * a.w_yzx[k - i];
+      precession += momentum_yzx_[i] * a[k - i].right[0] - momentum_zxy_[i] * a[k - i].left[0];
     w_dot += acceleration + inv_I_ * precession;
   }
 

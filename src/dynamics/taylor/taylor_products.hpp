@@ -10,67 +10,207 @@
 /// processors.
 namespace rigid_body_sim {
 
-/// The coefficients of ω and q so far, also with their components in the places where the products
-/// need them.
+/// The coefficients of one degree of ω and q, with their components in the places where the
+/// products need them: left[i] × right[i] of two degrees, and squares of the others.
 template <class T>
 struct Arranged {
-  static constexpr std::size_t kSize = kHighestTaylorDegree;
-  Lanes<T> w_yzx[kSize], w_zxy[kSize];
-  Lanes<T> q[kSize], q_x[kSize], q_y[kSize], q_z[kSize], q_yzx[kSize];
+  Lanes<T> left[4];  // ω (y, z, x), and what ω₁, ω₂ and ω₃ are multiplied with in ½ q (0, ω)
+  Lanes<T> right[4];  // ω (z, x, y), and ω₁, ω₂, ω₃ in all lanes
+  Lanes<T> mixed[2];  // (x + y, y + z, z + x) and (x + w, y + w, z + w) of q
+  Lanes<T> q;
+};
 
-  RIGID_BODY_SIM_INLINE void add(std::size_t k, const Lanes<T>& w_k, const Lanes<T>& q_k) {
-    permute<1, 2, 0, 3, T>(w_k, w_yzx[k]);
-    permute<2, 0, 1, 3, T>(w_k, w_zxy[k]);
-    q[k] = q_k;
-    permute<3, 2, 1, 0, T>(q_k, q_x[k]);
-    permute<2, 3, 0, 1, T>(q_k, q_y[k]);
-    permute<1, 0, 3, 2, T>(q_k, q_z[k]);
-    permute<1, 2, 0, 3, T>(q_k, q_yzx[k]);
+/// Those so far.
+template <class T>
+class ArrangedSeries {
+ public:
+  RIGID_BODY_SIM_INLINE ArrangedSeries() {
+    const T half = T(1) / T(2);
+    set<T>(half, half, -half, -half, half_x_);
+    set<T>(-half, half, half, -half, half_y_);
+    set<T>(half, -half, half, -half, half_z_);
   }
+
+  RIGID_BODY_SIM_INLINE const Arranged<T>& operator[](std::size_t k) const { return of_[k]; }
+
+  template <bool kTurned>
+  RIGID_BODY_SIM_INLINE void put(std::size_t k, const Lanes<T>& w, const Lanes<T>& q) {
+    Arranged<T>& a = of_[k];
+    permute<1, 2, 0, 3, T>(w, a.left[0]);
+    permute<2, 0, 1, 3, T>(w, a.right[0]);
+    permute<0, 0, 0, 0, T>(w, a.right[1]);
+    permute<1, 1, 1, 1, T>(w, a.right[2]);
+    permute<2, 2, 2, 2, T>(w, a.right[3]);
+    Lanes<T> wzyx, zwxy, yxwz;
+    permute<3, 2, 1, 0, T>(q, wzyx);
+    permute<2, 3, 0, 1, T>(q, zwxy);
+    permute<1, 0, 3, 2, T>(q, yxwz);
+    a.left[1] = wzyx * half_x_;
+    a.left[2] = zwxy * half_y_;
+    a.left[3] = yxwz * half_z_;
+    if (!kTurned) return;
+    Lanes<T> yzx, www;
+    permute<1, 2, 0, 3, T>(q, yzx);
+    permute<3, 3, 3, 3, T>(q, www);
+    a.mixed[0] = q + yzx;
+    a.mixed[1] = q + www;
+    a.q = q;
+  }
+
+ private:
+  Arranged<T> of_[kHighestTaylorDegree];
+  Lanes<T> half_x_, half_y_, half_z_;  // ½ and signs
 };
 
 /// The sums over coefficients of the degrees 1 to k − 1 that add up to k. What the coefficients of
 /// degree k themselves bring in, which come last, is kept apart: nothing but that waits for them.
 template <class T>
 struct Products {
-  Lanes<T> ww;                ///< (ω₂ ω₃, ω₃ ω₁, ω₁ ω₂)
-  Lanes<T> qw_x, qw_y, qw_z;  ///< of q with ω₁, ω₂, ω₃, but for signs
-  Lanes<T> squares, crosses, turns;
+  Lanes<T> of_w[4];  ///< (ω₂ ω₃, ω₃ ω₁, ω₁ ω₂); of ½ q (0, ω) what ω₁, ω₂, ω₃ bring
+  Lanes<T> squares, crosses, turns;  ///< of the components of q
 
-  template <bool kTurned>
-  RIGID_BODY_SIM_INLINE void sum(const Arranged<T>& a, const TaylorSeries<T>& series,
-                                 std::size_t k) {
-    set<T>(0, 0, 0, 0, ww);
-    qw_x = qw_y = qw_z = squares = crosses = turns = ww;
-    for (std::size_t i = 1, j = k - 1; i < k; ++i, --j) {
-      ww += a.w_yzx[i] * a.w_zxy[j];
-      qw_x += a.q_x[i] * series.w[j][0];
-      qw_y += a.q_y[i] * series.w[j][1];
-      qw_z += a.q_z[i] * series.w[j][2];
-      if (!kTurned) continue;
-      crosses += a.q[i] * a.q_yzx[j];
-      turns += a.q[i] * series.q[j][3];
-    }
-    if (!kTurned) return;
-    for (std::size_t i = 1; 2 * i < k; ++i) squares += a.q[i] * a.q[k - i];
-    squares = squares + squares;
-    if (k > 0 && k % 2 == 0) squares += a.q[k / 2] * a.q[k / 2];
+  RIGID_BODY_SIM_INLINE Products() {
+    set<T>(0, 0, 0, 0, squares);
+    crosses = turns = of_w[0] = of_w[1] = of_w[2] = of_w[3] = squares;
   }
 
-  /// Of the squares, crosses and turns also what the newest coefficients bring in.
-  RIGID_BODY_SIM_INLINE void addNewest(const Arranged<T>& a, std::size_t k) {
-    Lanes<T> w_0, w_k;
-    permute<3, 3, 3, 3, T>(a.q[0], w_0);
-    permute<3, 3, 3, 3, T>(a.q[k], w_k);
-    const Lanes<T> square = a.q[0] * a.q[k];
+  /// Of squares, crosses and turns also what the newest coefficients bring in.
+  RIGID_BODY_SIM_INLINE void addNewest(const ArrangedSeries<T>& a, std::size_t k) {
+    Lanes<T> yzx_0, yzx_k, w_0, w_k;
+    permute<1, 2, 0, 3, T>(a[0].q, yzx_0);
+    permute<1, 2, 0, 3, T>(a[k].q, yzx_k);
+    permute<3, 3, 3, 3, T>(a[0].q, w_0);
+    permute<3, 3, 3, 3, T>(a[k].q, w_k);
+    const Lanes<T> square = a[0].q * a[k].q;
     squares += square;
-    crosses += a.q[0] * a.q_yzx[k];
-    turns += a.q[0] * w_k;
+    crosses += a[0].q * yzx_k;
+    turns += a[0].q * w_k;
     if (k == 0) return;
     squares += square;
-    crosses += a.q[k] * a.q_yzx[0];
-    turns += a.q[k] * w_0;
+    crosses += a[k].q * yzx_0;
+    turns += a[k].q * w_0;
   }
+};
+
+/// The products of an even degree and of the next, found in one pass through the coefficients: what
+/// is loaded serves both. Those of q with itself are sums of squares, in which each term comes
+/// twice: 2 x y = (x + y)² − x² − y².
+template <class T, bool kTurned>
+class TwoProducts {
+ public:
+  RIGID_BODY_SIM_INLINE TwoProducts() {  // or GCC warns, which does not see the order of the calls
+    Lanes<T>& zero = next_.squares;
+    set<T>(0, 0, 0, 0, zero);
+    for (Lanes<T>& sum : next_.of_w) sum = zero;
+    for (Lanes<T>& sum : next_.mixed) sum = zero;
+  }
+
+  /// Those of the degree k, which is even, and of k + 1 what the degrees below k bring in.
+  RIGID_BODY_SIM_INLINE void begin(const ArrangedSeries<T>& a, std::size_t k, Products<T>& now) {
+    if (k < 4) return beginFirst(a, k, now);
+    Sums of_k;
+    const Arranged<T>*low = &a[1], *high = &a[k - 1];
+    start(*low, *high, of_k);
+    ++low;
+    start(*low, *high, next_);
+    --high;
+    add(*low, *high, of_k);
+    for (const Arranged<T>* last = &a[k - 1]; low != last;) {
+      ++low;
+      add(*low, *high, next_);
+      --high;
+      add(*low, *high, of_k);
+    }
+    if (kTurned) beginHalves(a, k, of_k);
+    getFrom(of_k, now);
+  }
+
+  /// Those of k + 1, with what the degree k brings in.
+  RIGID_BODY_SIM_INLINE void end(const ArrangedSeries<T>& a, std::size_t k, Products<T>& now) {
+    if (k == 0) {
+      now = Products<T>();
+      return;
+    }
+    if (k == 2) {
+      start(a[1], a[2], next_);
+      startHalf(a[1], a[2], next_);
+    } else {
+      add(a[1], a[k], next_);
+      addHalf(a[1], a[k], next_);
+    }
+    add(a[k], a[1], next_);
+    getFrom(next_, now);
+  }
+
+ private:
+  struct Sums {
+    Lanes<T> of_w[4];
+    Lanes<T> mixed[2];  // half the sums of (x + y)² …, (x + w)² …
+    Lanes<T> squares;   // and of x² …
+  };
+
+  RIGID_BODY_SIM_INLINE void beginFirst(const ArrangedSeries<T>& a, std::size_t k,
+                                        Products<T>& now) {
+    now = Products<T>();
+    if (k == 0) return;
+    Sums of_k;
+    start(a[1], a[1], of_k);
+    startSquare(a[1], of_k);
+    getFrom(of_k, now);
+  }
+
+  /// From the middle outwards.
+  RIGID_BODY_SIM_INLINE void beginHalves(const ArrangedSeries<T>& a, std::size_t k, Sums& of_k) {
+    const Arranged<T>*low = &a[k / 2], *high = low + 1;
+    startSquare(*low, of_k);
+    startHalf(*low, *high, next_);
+    for (const Arranged<T>* first = &a[1];;) {
+      --low;
+      addHalf(*low, *high, of_k);
+      if (low == first) return;
+      ++high;
+      addHalf(*low, *high, next_);
+    }
+  }
+
+  RIGID_BODY_SIM_INLINE static void start(const Arranged<T>& a, const Arranged<T>& b, Sums& sums) {
+    for (int i = 0; i < 4; ++i) sums.of_w[i] = a.left[i] * b.right[i];
+  }
+  RIGID_BODY_SIM_INLINE static void add(const Arranged<T>& a, const Arranged<T>& b, Sums& sums) {
+    for (int i = 0; i < 4; ++i) sums.of_w[i] += a.left[i] * b.right[i];
+  }
+
+  RIGID_BODY_SIM_INLINE static void startSquare(const Arranged<T>& a, Sums& sums) {
+    if (!kTurned) return;
+    const T half = T(1) / T(2);
+    for (int i = 0; i < 2; ++i) sums.mixed[i] = a.mixed[i] * half * a.mixed[i];
+    sums.squares = a.q * half * a.q;
+  }
+  RIGID_BODY_SIM_INLINE static void startHalf(const Arranged<T>& a, const Arranged<T>& b,
+                                              Sums& sums) {
+    if (!kTurned) return;
+    for (int i = 0; i < 2; ++i) sums.mixed[i] = a.mixed[i] * b.mixed[i];
+    sums.squares = a.q * b.q;
+  }
+  RIGID_BODY_SIM_INLINE static void addHalf(const Arranged<T>& a, const Arranged<T>& b,
+                                            Sums& sums) {
+    if (!kTurned) return;
+    for (int i = 0; i < 2; ++i) sums.mixed[i] += a.mixed[i] * b.mixed[i];
+    sums.squares += a.q * b.q;
+  }
+
+  RIGID_BODY_SIM_INLINE static void getFrom(const Sums& sums, Products<T>& to) {
+    for (int i = 0; i < 4; ++i) to.of_w[i] = sums.of_w[i];
+    if (!kTurned) return;
+    Lanes<T> yzx, www;
+    permute<1, 2, 0, 3, T>(sums.squares, yzx);
+    permute<3, 3, 3, 3, T>(sums.squares, www);
+    to.crosses = (sums.mixed[0] - sums.squares) - yzx;
+    to.turns = (sums.mixed[1] - sums.squares) - www;
+    to.squares = sums.squares + sums.squares;
+  }
+
+  Sums next_;
 };
 
 /// A vector that a matrix takes lanes to: Σ columnᵢ laneᵢ.
@@ -84,38 +224,17 @@ RIGID_BODY_SIM_INLINE void multiply(const Lanes<T> (&column)[4], const Lanes<T>&
   to = (column[0] * x + column[1] * y) + (column[2] * z + column[3] * w);
 }
 
-/// ½ q (0, ω) of the newest coefficients with those of degree 0, of which it is made.
+/// The coefficient k of ½ q (0, ω), from the products without those of degree k.
 template <class T>
-class NewestTurn {
- public:
-  RIGID_BODY_SIM_INLINE NewestTurn(const Lanes<T>& w_0, const Arranged<T>& a) {
-    const T half = T(1) / T(2);
-    set<T>(half, half, -half, -half, sign_x_);
-    set<T>(-half, half, half, -half, sign_y_);
-    set<T>(half, -half, half, -half, sign_z_);
-    of_w_[0] = a.q_x[0] * sign_x_;
-    of_w_[1] = a.q_y[0] * sign_y_;
-    of_w_[2] = a.q_z[0] * sign_z_;
-    set<T>(0, 0, 0, 0, of_w_[3]);
-    of_q_x_ = sign_x_ * w_0[0];
-    of_q_y_ = sign_y_ * w_0[1];
-    of_q_z_ = sign_z_ * w_0[2];
-  }
-
-  /// The whole coefficient k of q'.
-  RIGID_BODY_SIM_INLINE void q_dot(const Arranged<T>& a, const Products<T>& older,
-                                   const Lanes<T>& w_k, std::size_t k, Lanes<T>& to) const {
-    multiply<T>(of_w_, w_k, to);
-    if (k == 0) return;
-    to += (older.qw_x * sign_x_ + older.qw_y * sign_y_ + older.qw_z * sign_z_) +
-          (a.q_x[k] * of_q_x_ + a.q_y[k] * of_q_y_ + a.q_z[k] * of_q_z_);
-  }
-
- private:
-  Lanes<T> sign_x_, sign_y_, sign_z_;  // of the components of q × ω₁ …, times ½
-  Lanes<T> of_w_[4];
-  Lanes<T> of_q_x_, of_q_y_, of_q_z_;
-};
+RIGID_BODY_SIM_INLINE void turnOf(const ArrangedSeries<T>& series, const Products<T>& older,
+                                  std::size_t k, Lanes<T>& to) {
+  const Arranged<T>& a = series[0];
+  const Arranged<T>& b = series[k];
+  to = (a.left[1] * b.right[1] + a.left[2] * b.right[2]) + a.left[3] * b.right[3];
+  if (k == 0) return;
+  to += ((older.of_w[1] + older.of_w[2]) + older.of_w[3]) +
+        ((b.left[1] * a.right[1] + b.left[2] * a.right[2]) + b.left[3] * a.right[3]);
+}
 
 /// Where nothing turns with the attitude.
 struct NoTurning {

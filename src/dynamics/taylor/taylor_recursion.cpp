@@ -33,20 +33,23 @@ RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size
   [[maybe_unused]] std::conditional_t<kPulled, PullRecursion<T>, int> pull(
       pullOf<T, kPulled>(equations));
   [[maybe_unused]] std::conditional_t<kDriven, DriveRecursion<T>, int> drive(given_drive);
-  Arranged<T> arranged;
-  Products<T> p{};
+  ArrangedSeries<T> arranged;
+  TwoProducts<T, kTurned> products;
+  Products<T> p;
   Lanes<T> w, q;
   load<T>(series.w[0], w);
   load<T>(series.q[0], q);
-  arranged.add(0, w, q);
-  const NewestTurn<T> turn(w, arranged);
+  arranged.template put<kTurned>(0, w, q);
   [[maybe_unused]] std::conditional_t<kTurns, Turning<T>, NoTurning> turning(equations, q);
   for (std::size_t k = 0; k < degree; ++k) {
     const T inverse = kInverse<T>[k + 1];
-    if (k > 0) arranged.add(k, w, q);
-    p.template sum<kTurned>(arranged, series, k);
-    Lanes<T> w_dot = p.ww + arranged.w_yzx[0] * arranged.w_zxy[k];
-    if (k > 0) w_dot += arranged.w_yzx[k] * arranged.w_zxy[0];
+    if (k > 0) arranged.template put<kTurned>(k, w, q);
+    if (k % 2 == 0)
+      products.begin(arranged, k, p);
+    else
+      products.end(arranged, k - 1, p);
+    Lanes<T> w_dot = p.of_w[0] + arranged[0].left[0] * arranged[k].right[0];
+    if (k > 0) w_dot += arranged[k].left[0] * arranged[0].right[0];
     w_dot = gyroscopic * w_dot;
     if constexpr (kTurns) {
       Lanes<T> older, newest;
@@ -74,7 +77,7 @@ RIGID_BODY_SIM_INLINE void expand(const TaylorEquations<T>& equations, std::size
       if constexpr (kPulled) pull.accelerate(k, drive.pushed());
     }
     Lanes<T> q_dot;
-    turn.q_dot(arranged, p, w, k, q_dot);
+    turnOf(arranged, p, k, q_dot);
     w = w_dot * inverse;
     q = q_dot * inverse;
     store<T>(w, series.w[k + 1]);
@@ -105,59 +108,51 @@ RIGID_BODY_SIM_INLINE void expandDrivenAsAsked(const TaylorEquations<T>& equatio
     expand<T, true, true, false, true>(equations, degree, series, drive);
 }
 
-/// Horner's rule without the constant term.
-template <class T>
-RIGID_BODY_SIM_INLINE void evaluateMotion(const TaylorSeries<T>& series, std::size_t degree, T s,
-                                          TaylorIncrements<T>& increments) {
-  Lanes<T> w, q;
-  load<T>(series.w[degree], w);
-  load<T>(series.q[degree], q);
-  Lanes<T> c = w;  // or GCC warns where it instruments for threads
-  for (std::size_t k = degree - 1; k > 0; --k) {
-    load<T>(series.w[k], c);
-    w = c + w * s;
-    load<T>(series.q[k], c);
-    q = c + q * s;
-  }
-  store<T>(w * s, increments.w);
-  store<T>(q * s, increments.q);
-}
-
-/// The same of the products of components of q and, if wanted, of their integrals.
-template <class T, bool kIntegrated>
-RIGID_BODY_SIM_INLINE void evaluateProducts(const TaylorSeries<T>& series, std::size_t degree, T s,
-                                            TaylorIncrements<T>& gain) {
+/// Horner's rule without the constant term, of all series in one pass: each waits for its own sum
+/// only. Of ω and q, or also of the products of components of q (kSeries 5) and of their integrals.
+template <class T, int kSeries, bool kIntegrated>
+RIGID_BODY_SIM_INLINE void evaluateSeries(const TaylorSeries<T>& series, std::size_t degree, T s,
+                                          TaylorIncrements<T>& gain) {
+  constexpr int kMotion = 2;
   using Coefficient = const T(*)[4];
-  const Coefficient of[] = {series.squares, series.crosses, series.turns};
-  Lanes<T> sum[3], whole[3], c;
-  for (int j = 0; j < 3; ++j) {
+  const Coefficient of[] = {series.w, series.q, series.squares, series.crosses, series.turns};
+  Lanes<T> sum[kSeries], whole[3], c;
+  for (int j = 0; j < kSeries; ++j) {
     load<T>(of[j][degree], sum[j]);
-    if constexpr (kIntegrated) whole[j] = sum[j] * kInverse<T>[degree + 1];
+    if constexpr (kIntegrated)
+      if (j >= kMotion) whole[j - kMotion] = sum[j] * kInverse<T>[degree + 1];
   }
-  c = sum[0];
+  c = sum[0];  // or GCC warns where it instruments for threads
   for (std::size_t k = degree - 1; k > 0; --k)
-    for (int j = 0; j < 3; ++j) {
+    for (int j = 0; j < kSeries; ++j) {
       load<T>(of[j][k], c);
       sum[j] = c + sum[j] * s;
-      if constexpr (kIntegrated) whole[j] = c * kInverse<T>[k + 1] + whole[j] * s;
+      if constexpr (kIntegrated)
+        if (j >= kMotion) whole[j - kMotion] = c * kInverse<T>[k + 1] + whole[j - kMotion] * s;
     }
-  store<T>(sum[0] * s, gain.squares);
-  store<T>(sum[1] * s, gain.crosses);
-  store<T>(sum[2] * s, gain.turns);
-  if constexpr (!kIntegrated) return;
-  store<T>(whole[0] * (s * s), gain.integrals.squares);
-  store<T>(whole[1] * (s * s), gain.integrals.crosses);
-  store<T>(whole[2] * (s * s), gain.integrals.turns);
+  store<T>(sum[0] * s, gain.w);
+  store<T>(sum[1] * s, gain.q);
+  if constexpr (kSeries > kMotion) {
+    store<T>(sum[2] * s, gain.squares);
+    store<T>(sum[3] * s, gain.crosses);
+    store<T>(sum[4] * s, gain.turns);
+  }
+  if constexpr (kIntegrated) {
+    store<T>(whole[0] * (s * s), gain.integrals.squares);
+    store<T>(whole[1] * (s * s), gain.integrals.crosses);
+    store<T>(whole[2] * (s * s), gain.integrals.turns);
+  }
 }
 
 template <class T>
 RIGID_BODY_SIM_INLINE void evaluate(const TaylorSeries<T>& series, TaylorGains wanted,
                                     std::size_t degree, T s, TaylorIncrements<T>& increments) {
-  evaluateMotion(series, degree, s, increments);
-  if (wanted == TaylorGains::kProducts)
-    evaluateProducts<T, false>(series, degree, s, increments);
-  else if (wanted == TaylorGains::kIntegrals)
-    evaluateProducts<T, true>(series, degree, s, increments);
+  if (wanted == TaylorGains::kMotion)
+    evaluateSeries<T, 2, false>(series, degree, s, increments);
+  else if (wanted == TaylorGains::kProducts)
+    evaluateSeries<T, 5, false>(series, degree, s, increments);
+  else
+    evaluateSeries<T, 5, true>(series, degree, s, increments);
 }
 
 #if defined(__x86_64__)

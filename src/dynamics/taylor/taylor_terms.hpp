@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include <rigid_body_sim/math/types.hpp>
 
@@ -52,6 +55,16 @@ Vector3<T> turnedMoment(const Matrix3<T>& R, const Matrix3<T>& moments) {
 template <class T>
 T unitOf(T rate) {
   if (!(rate > T(0))) return T(1);
+  if constexpr (std::is_same_v<T, double>) {  // of most numbers the bits without the fraction
+    constexpr double kSmall = 0x1p-1000, kLarge = 0x1p1000;
+    if (kSmall <= rate && rate <= kLarge) {
+      std::uint64_t bits;
+      std::memcpy(&bits, &rate, sizeof bits);
+      bits &= ~((std::uint64_t(1) << 52) - 1);
+      std::memcpy(&rate, &bits, sizeof bits);
+      return rate;
+    }
+  }
   return std::ldexp(T(1), std::min(std::max(std::ilogb(rate), -1000), 1000));
 }
 
@@ -70,8 +83,11 @@ T shareOf(T bound, T theta) {
 /// random bodies and wrenches, 99 in 100 then last as long as was asked.
 template <class T>
 std::size_t degreeFor(T angle, T precision, std::size_t highest) {
-  const T best = std::ceil(T(6) - std::log(precision) / 2);
-  const auto most = static_cast<std::size_t>(std::min(std::max(best, T(7)), T(highest)));
+  std::size_t most = highest;
+  if (precision > std::exp(T(12) - T(2) * T(highest))) {  // else the best is more
+    const T best = std::ceil(T(6) - std::log(precision) / 2);
+    most = static_cast<std::size_t>(std::min(std::max(best, T(7)), T(highest)));
+  }
   if (!(angle < T(1))) return most;
   T term = T(1);
   for (std::size_t n = 1; n < most; ++n) {

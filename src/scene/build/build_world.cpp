@@ -29,6 +29,7 @@ Body bodyOf(const BodyDef& def) {
 std::vector<PointWrench> wrenchesOf(const Scene& scene, const std::vector<Body>& bodies) {
   std::vector<PointWrench> wrenches;
   if (scene.wrenches.empty()) return wrenches;  // a table of many frames costs more than the bodies
+  wrenches.reserve(scene.wrenches.size());
   const FrameTable frames(scene, bodies);
   for (std::size_t i = 0; i < scene.wrenches.size(); ++i) {
     const ResolvedWrench resolved = resolveWrench(scene.wrenches[i], bodies, frames);

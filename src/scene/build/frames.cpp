@@ -8,6 +8,9 @@
 namespace rigid_body_sim {
 
 FrameTable::FrameTable(const Scene& scene, const std::vector<Body>& bodies) {
+  std::size_t points = 0;
+  for (const BodyDef& def : scene.bodies) points += def.points.size();
+  order_.reserve(1 + bodies.size() + points);
   put(scene.world_frame, {});
   for (std::size_t i = 0; i < bodies.size(); ++i) add(scene.bodies[i], bodies[i], i);
 }

@@ -51,6 +51,7 @@ std::string frameFault(const char* key, const std::string& name, const std::vect
 }
 
 std::string finiteFault(const Vector3d& point, const Vector3d& force, const Vector3d& torque) {
+  if (point.allFinite() && force.allFinite() && torque.allFinite()) return "";
   std::string fault = vectorFault("point", point);
   if (fault.empty()) fault = vectorFault("force", force);
   return fault.empty() ? vectorFault("torque", torque) : fault;

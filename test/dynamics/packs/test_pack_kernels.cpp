@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/packs/block_lane.hpp"
+#include "dynamics/packs/read_block.hpp"
 #include "support/many_bodies.hpp"
+#include "support/same_bits.hpp"
 
 // Every width gives the bits of one body at a time.
 
@@ -82,7 +84,7 @@ const std::pair<const char*, PackKind> kKinds[]{
 constexpr PackLoad kLoads[]{PackLoad::kNone, PackLoad::kPush, PackLoad::kDrag};
 
 TEST(PackKernels, GiveTheSameBitsAtEveryWidth) {
-  const test::Bench bench = test::thrownBodies(120);
+  const test::Bench bench = test::thrownBodies(240);
   ASSERT_GE(packKernels().size(), 2u);
   ASSERT_EQ(packKernels().front().lanes, 1u);
   for (const PackLoad load : kLoads)
@@ -125,6 +127,22 @@ TEST(PackKernels, LeaveBodiesAloneThatAreNotAsked) {
       EXPECT_EQ(std::memcmp(&stepped.blocks[1], &start.blocks[1], sizeof(PackBlock)), 0);
     }
   }
+}
+
+/// The states lie in another order than the bodies.
+TEST(PackKernels, AllBodiesOfABlockAreReadAsOneByOne) {
+  const Blocks all =
+      blocksOf(test::thrownBodies(240), "rk4", PackKind::kRk4, 0.01, PackLoad::kNone);
+  constexpr std::size_t kLanes = PackBlock::kLanes;
+  std::vector<BodyState> states(kLanes + 1);
+  BodyState* to[kLanes];
+  for (std::size_t k = 0; k < kLanes; ++k) to[k] = &states[(5 * k + 3) % (kLanes + 1)];
+  for (const ReadBlock read : {readBlock(), ReadBlock(readBlockNarrow)}) {
+    read(all.blocks[1], to);
+    for (std::size_t k = 0; k < kLanes; ++k)
+      EXPECT_TRUE(test::sameBits(*to[k], bodyIn(all.blocks[1], k))) << k;
+  }
+  EXPECT_TRUE(test::sameBits(states[(5 * kLanes + 3) % (kLanes + 1)], BodyState()));
 }
 
 TEST(PackKernels, FewBodiesTakeNoMoreLanesThanTheyNeed) {
