@@ -73,24 +73,9 @@ void widest(const double* h, int count, PackBlock* blocks, const PushBlock* push
         RIGID_BODY_SIM_STEPS_WITH(step, T, DragLanes<T>)                                          \
   }
 
-// what threads share is the same at every width, which the thread sanitizer's build shall not wait
-// for
-#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
-/// The shortest step would wait in one wide register for its own results, which it does less in two
-/// of half the width: measured a tenth.
-PackKernels widestKernels() {
-  PackKernels kernels{8, "AVX-512", RIGID_BODY_SIM_PACK_STEPS(widest, Pack<8>)};
-  PackStep(&free)[kPackKinds] = kernels.steps[static_cast<std::size_t>(PackLoad::kNone)];
-  free[static_cast<std::size_t>(PackKind::kSemiImplicitEuler)] =
-      wide<SemiImplicitEulerPack, Twin<4>, NoPush>;
-  return kernels;
-}
-
-/// Of many bodies each step of two registers: while one waits for a result, the other is computed;
-/// measured, a tenth to two fifths more.
-PackKernels twinKernels() { return {16, "AVX-512", RIGID_BODY_SIM_PACK_STEPS(widest, Twin<8>)}; }
-#endif
-
+// The widest kernels are of two registers: while one waits for a result, the other is computed;
+// measured, a tenth to two fifths more. What threads share is the same at every width, which the
+// thread sanitizer's build shall not wait for.
 std::vector<PackKernels> kernelsOfThisProcessor() {
   std::vector<PackKernels> kernels{{1, "", RIGID_BODY_SIM_PACK_STEPS(narrow, double)},
                                    {2, "", RIGID_BODY_SIM_PACK_STEPS(narrow, Pack<2>)}};
@@ -99,10 +84,8 @@ std::vector<PackKernels> kernelsOfThisProcessor() {
     kernels.push_back({4, "AVX2", RIGID_BODY_SIM_PACK_STEPS(wide, Pack<4>)});
     kernels.push_back({8, "AVX2", RIGID_BODY_SIM_PACK_STEPS(wide, Twin<4>)});
   }
-  if (__builtin_cpu_supports("avx512f")) {
-    kernels.push_back(widestKernels());
-    kernels.push_back(twinKernels());
-  }
+  if (__builtin_cpu_supports("avx512f"))
+    kernels.push_back({16, "AVX-512", RIGID_BODY_SIM_PACK_STEPS(widest, Twin<8>)});
 #endif
   return kernels;
 }
