@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "scene/study/draws.hpp"
@@ -131,6 +132,22 @@ TEST(Draws, TurnByNormalRotationVectors) {
   }
 }
 
+TEST(Draws, TurnAboutTheAxesOfTheBody) {
+  const Study study = studyOf("  a.orientation: {rotation: {stddev: 0.3}}");
+  const Draws draws(study);
+  const auto drawnFrom = [&draws](const Eigen::Quaterniond& own) {
+    const SceneValue value =
+        draws.value(0, 5, SceneValue::of({own.x(), own.y(), own.z(), own.w()}));
+    const auto number = [&value](std::size_t i) { return std::stod(value.words.at(i).text); };
+    return Eigen::Quaterniond(number(3), number(0), number(1), number(2));
+  };
+  const Eigen::Quaterniond unit = Eigen::Quaterniond(0.5, -0.1, 0.7, 0.3).normalized();
+  const Eigen::Quaterniond turn = drawnFrom(Eigen::Quaterniond::Identity());
+  EXPECT_GT(turn.vec().norm(), 0.05);
+  EXPECT_LT(drawnFrom(unit).angularDistance(unit * turn), 1e-7);  // √ε: it is an arc cosine
+  EXPECT_GT(drawnFrom(unit).angularDistance(turn * unit), 0.05);
+}
+
 TEST(Draws, GiveTheReferenceValuesOfTheGenerator) {
   // of the body drone and the imu imu with seed 1
   const Study study = parseStudy(
@@ -152,14 +169,14 @@ TEST(Draws, DependOnSeedRunAndPathAlone) {
 
 TEST(Draws, CombineGridsEachWithEach) {
   const Study study =
-      parseStudy("runs: 2\nvary:\n  a: {grid: [1, 2, 3]}\n  b: {grid: [10, 20]}", "s");
+      parseStudy("runs: 2\nvary:\n  a: {grid: [1, 2, 3, 4]}\n  b: {grid: [10, 20]}", "s");
   const Draws draws(study);
-  ASSERT_EQ(draws.runs(), 12);
+  ASSERT_EQ(draws.runs(), 16);
   std::multiset<std::string> pairs;
   for (std::int64_t run = 0; run < draws.runs(); ++run)
     pairs.insert(draws.value(0, run, {}).words[0].text + " " +
                  draws.value(1, run, {}).words[0].text);
-  for (const char* pair : {"1 10", "1 20", "2 10", "2 20", "3 10", "3 20"})
+  for (const char* pair : {"1 10", "1 20", "2 10", "2 20", "3 10", "3 20", "4 10", "4 20"})
     EXPECT_EQ(pairs.count(pair), 2U) << pair;
 }
 
