@@ -36,7 +36,9 @@ Simulation makeSimulation(const Scene& scene) {
 
 OutputTopics rosTopics(const ros::NodeHandle& nh, const World& world, const NodeOptions& options) {
   RosTransport transport(nh);
-  return openTopics(transport, world, {options.publish_clock, options.body_topics});
+  OutputTopics topics = openTopics(transport, world, {options.publish_clock, options.body_topics});
+  topics.changes = transport.changes();
+  return topics;
 }
 
 Topic<Input> inputsTopic(const ros::NodeHandle& nh) {
