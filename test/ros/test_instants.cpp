@@ -24,6 +24,9 @@ TEST(Instants, GoOnAfterATimeHoweverManyAreLeftOut) {
   instants.passTo(1e6);
   EXPECT_EQ(instants.next(), 100000001 / 100.0);
   EXPECT_EQ(Instants(1e-6).next(), 0);
+  Instants nanoseconds(1e9);  // more of them than doubles count one by one
+  nanoseconds.passTo(1e9);
+  EXPECT_GT(nanoseconds.next(), 1e9);
 }
 
 TEST(Instants, BeginWithTheFirstThatIsNotPast) {

@@ -114,6 +114,25 @@ TEST(Outputs, SendTheStandingStateToNewSubscribers) {
   EXPECT_EQ(run.published.tf[1].transforms[0].header.stamp, now);
 }
 
+// 1e11 instants in a step
+TEST(Outputs, PassOverInstantsOfALongStepWhereNobodyLooks) {
+  const Scene scene = parseScene(
+      "time_step: 1.0e+9\nbodies: [{name: rock, shape: {sphere: {radius: 1}}, mass: 1}]", "test");
+  const World world = buildWorld(scene);
+  Simulation simulation(world, initialState(scene, world));
+  const TimeOrigin origin;
+  test::PublishedMessages published;
+  published.subscribers = 0;
+  Outputs outputs(openTopics(published, world, {}), NodeOptions(), scene, simulation, origin);
+  outputs.publishDue();
+  outputs.publishWithinStep(1e9);
+  simulation.step();
+  published.subscribers = 1;
+  outputs.publishDue();
+  ASSERT_EQ(published.states.size(), 1U);
+  EXPECT_EQ(published.states[0].header.stamp, origin.stamp(1e9));
+}
+
 TEST(Outputs, NeverRepeatAStampOnTf) {
   test::PublishedRun run(0.01, 100);
   run.outputs.setStanding(true);

@@ -31,6 +31,17 @@ TEST(SceneFile, IsRefusedWhenADirectory) {
   EXPECT_EQ(loadErrorOf("/"), "/: is a directory, not a scene file");
 }
 
+TEST(SceneFile, IsRefusedWhereItIsAnotherByItsName) {
+  EXPECT_EQ(loadErrorOf("absent/arm.PLY"),
+            "absent/arm.PLY: unsupported file type .ply, and a scene is YAML text");
+  EXPECT_EQ(loadErrorOf("arm.stl"),
+            "arm.stl: is a mesh by its name, and a scene is YAML text; a body of it names the "
+            "file, shape: {mesh: {file:}}");
+  EXPECT_EQ(loadErrorOf("arm.urdf"),
+            "arm.urdf: is a URDF file by its name, and a scene is YAML text; a body of it names "
+            "the file, urdf: {file:}");
+}
+
 TEST(SceneFile, IsRefusedWhenLargerThan64MiB) {
   const std::string path = testing::TempDir() + "rigid_body_sim_large.yaml";
   std::ofstream(path) << std::string((64 << 20) + 1, '#');

@@ -18,8 +18,8 @@ namespace rigid_body_sim {
 /// integrator to hold the tolerance.
 std::vector<std::string> describeSolution(const Simulation& simulation);
 
-/// Says that steps were divided into more substeps than planned, and into how many; empty if none
-/// was.
+/// Says that steps were divided into more substeps than planned, and into how many, and of a named
+/// integrator that its error is not known; empty if none was.
 std::string describeSubsteps(const Simulation& simulation);
 
 /// Says that rounding has been magnified by more than half of the digits of a number; empty if it

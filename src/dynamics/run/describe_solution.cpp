@@ -267,6 +267,10 @@ std::string describeSubsteps(const Simulation& simulation) {
   std::ostringstream text;
   text << "steps were divided into up to " << simulation.maxSubsteps()
        << " substeps, to follow what turned, swung or slowed down fast";
+  const std::string& integrator = simulation.world().solver.integrator;
+  if (integrator != "auto")
+    text << ": that keeps " << integrator
+         << " stable, not accurate; auto bounds the error, trade measures it";
   return text.str();
 }
 

@@ -15,7 +15,13 @@ struct LanesOf {
 };
 template <>
 struct LanesOf<double> {
+#if defined(__clang__)
+  // clang forgets an alignment of its own where the type goes through a template, though not in the
+  // layout of a class, and then stores to a member as if it were aligned to its size
+  typedef double Type __attribute__((vector_size(32)));
+#else
   typedef double Type __attribute__((vector_size(32), aligned(8)));
+#endif
 };
 template <class T>
 using Lanes = typename LanesOf<T>::Type;

@@ -47,6 +47,9 @@ class Timekeeper {
   /// reaches t [s] is due; not above 0: it is.
   double untilDue(double t) const;
 
+  /// Whether the step that reaches t [s] was due at that time, by the wall.
+  bool wasDue(double t, Pacer::Clock::time_point then) const { return pacer_.wait(t, then) <= 0; }
+
   bool followsClock() const { return clock_ != nullptr; }
 
   /// Whether t [s] lies ahead of a clock that is followed.

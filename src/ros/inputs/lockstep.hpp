@@ -43,8 +43,10 @@ class Lockstep {
   }
   void hold(const std::string& topic, const ros::Time& stamp, std::string bytes, Take take);
 
+  bool isOn() const { return !topics_.empty(); }
+
   /// Whether the run is to wait at a step.
-  bool isDueAt(std::int64_t step) const { return !topics_.empty() && step % every_ == 0; }
+  bool isDueAt(std::int64_t step) const { return isOn() && step % every_ == 0; }
 
   /// The state with this stamp has been published, and is to be waited for from now on.
   void begin(const ros::Time& state, Clock::time_point now);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -9,6 +12,26 @@
 #include <ros/node_handle.h>
 
 namespace rigid_body_sim {
+
+/// A queue that can be waited for without serving it.
+class NodeQueue : public ros::CallbackQueue {
+ public:
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override {
+    ros::CallbackQueue::addCallback(callback, owner);
+    { const std::lock_guard<std::mutex> lock(mutex_); }  // none is between its look and its sleep
+    has_come_.notify_all();
+  }
+
+  /// Returns once a callback is there, or after that long [s].
+  void waitForCallback(double seconds) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    has_come_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return !isEmpty(); });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable has_come_;
+};
 
 /// A queue beside another one: what comes in wakes up whoever waits for the other.
 class SideQueue : public ros::CallbackQueue {
@@ -35,7 +58,7 @@ struct NodeQueues {
     step_queue.addCallback(boost::make_shared<Call>(function), 0);
   }
 
-  ros::CallbackQueue queue;
+  NodeQueue queue;
   SideQueue step_queue{queue};
   ros::NodeHandle nh = handle("", queue);
   ros::NodeHandle private_nh = handle("~", queue);

@@ -36,7 +36,9 @@ Simulation makeSimulation(const Scene& scene) {
 
 OutputTopics rosTopics(const ros::NodeHandle& nh, const World& world, const NodeOptions& options) {
   RosTransport transport(nh);
-  return openTopics(transport, world, {options.publish_clock, options.body_topics});
+  OutputTopics topics = openTopics(transport, world, {options.publish_clock, options.body_topics});
+  topics.changes = transport.changes();
+  return topics;
 }
 
 Topic<Input> inputsTopic(const ros::NodeHandle& nh) {
@@ -97,73 +99,20 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
 }
 
 void SimulationNode::run() {
-  restartClocks();
-  outputs_.setStanding(paused_);
-  if (!paused_) outputs_.publishDue();
-  waitInStep();
-  while (ros::ok()) {
-    serveUntilDue();
-    // a pause may have ended just now, in lockstep before the messages have come
-    if (!paused_ && !lockstep_.isWaiting() && ros::ok()) goOn();
-  }
-}
-
-/// Serves callbacks until an instant of the outputs or the next step is due; while paused, for a
-/// moment.
-void SimulationNode::serveUntilDue() {
-  serve(0);
-  queues_.step_queue.callAvailable();
-  if (paused_) {
-    repeat();
-    return serve(Timekeeper::kLongestWait);
-  }
-  while (!paused_ && ros::ok()) {
-    if (lockstep_.isWaiting()) {
-      serveInStep();
-      lockstep_.checkPatience(SteadyClock::now());
-      continue;
+  try {
+    restartClocks();
+    outputs_.setStanding(paused_);
+    if (!paused_) outputs_.publishDue();
+    waitInStep();
+    while (ros::ok()) {
+      serveUntilDue();
+      // a pause may have ended just now, in lockstep before the messages have come
+      if (!paused_ && !lockstep_.isWaiting() && ros::ok()) goOn();
     }
-    // anew each time: a callback may have set time back
-    const double wait = time_.untilDue(outputs_.instantWithinStep().value_or(nextTime()));
-    // a clock that stands may wait, in lockstep, for whoever comes to this node's topics
-    if (time_.followsClock()) outputs_.setStanding(wait > 0);
-    if (wait <= 0) return;
-    serve(wait);
-    queues_.step_queue.callAvailable();
+  } catch (const SimulationDiverged&) {
+    ros::WallDuration(kTimeToWrite).sleep();
+    throw;
   }
-}
-
-/// Where time goes in step with messages: publishes the state and lets time stand until they come.
-void SimulationNode::waitInStep() {
-  if (!lockstep_.isDueAt(simulation_.steps())) return;
-  outputs_.setStanding(true);
-  outputs_.publishNow();
-  lockstep_.begin(inputs_.stamp(), SteadyClock::now());
-}
-
-/// Serves callbacks for a moment, and lets time go on once all messages have come.
-void SimulationNode::serveInStep() {
-  serve(lockstep_.hasAll() ? 0 : Timekeeper::kLongestWait);
-  queues_.step_queue.callAvailable();
-  takeInStep();
-}
-
-void SimulationNode::takeInStep() {
-  if (!lockstep_.isWaiting()) return;
-  if (!lockstep_.hasAll()) return repeat();
-  lockstep_.takeAll();
-  outputs_.setStanding(paused_);
-}
-
-/// While time stands, at a pace of its own: whoever comes finds a clock, and one who may have
-/// answered in vain, in lockstep, the state.
-void SimulationNode::repeat() {
-  constexpr std::chrono::milliseconds kPeriod(100);
-  const SteadyClock::time_point now = SteadyClock::now();
-  if (now < next_repeat_) return;
-  next_repeat_ = now + kPeriod;
-  outputs_.repeatClock();
-  if (lockstep_.isWaiting() && lockstep_.mayHaveLostAnswer()) outputs_.repeatState();
 }
 
 /// The time [s] that the next step reaches.
@@ -203,17 +152,12 @@ void SimulationNode::restartClocks() {
 
 /// Publishes at the instant that is due within the step, or takes the step.
 void SimulationNode::goOn() {
-  try {
-    if (const std::optional<double> t = outputs_.instantWithinStep()) {
-      time_.dropBacklog(*t);
-      publishWithinStep([&] { outputs_.publishInstant(*t); });
-    } else {
-      time_.begin(nextTime(), simulation_.world().solver.time_step);
-      advance();
-    }
-  } catch (const SimulationDiverged&) {
-    ros::WallDuration(kTimeToWrite).sleep();
-    throw;
+  if (const std::optional<double> t = outputs_.instantWithinStep()) {
+    time_.dropBacklog(*t);
+    publishWithinStep([&] { outputs_.publishInstant(*t); });
+  } else {
+    time_.begin(nextTime(), simulation_.world().solver.time_step);
+    advance();
   }
 }
 

@@ -45,6 +45,8 @@ class SimulationNode {
 
  private:
   void serveUntilDue();
+  bool maySleepOverSteps();
+  void sleepOverSteps();
   void serve(double seconds);
   void waitInStep();
   void serveInStep();
@@ -80,6 +82,7 @@ class SimulationNode {
   std::optional<std::size_t> followed_changes_;  // of the world; see followBodies
   bool pulled_ = false;                          // by the mouse, for the next step
   bool within_step_ = false;                     // a state within the next step has been shown
+  int slept_over_ = 1;                           // steps, at most; see sleepOverSteps
   std::chrono::steady_clock::time_point next_repeat_;  // while time stands
   Refusals refusals_;
   bool paused_;

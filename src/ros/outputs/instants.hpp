@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace rigid_body_sim {
@@ -26,7 +27,7 @@ class Instants {
   void passTo(double t) {
     if (next() > t) return;
     k_ = std::floor(t * rate_);
-    while (next() <= t) k_ += 1;
+    while (next() <= t) k_ = std::max(k_ + 1, std::nextafter(k_, kInfinity));
   }
 
   /// The number k of the last instant from `from` to `reach` [s], where there is one; all instants
@@ -39,8 +40,10 @@ class Instants {
   }
 
  private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
   double rate_;
-  double k_ = 0;  // whole, exact up to 2^53
+  double k_ = 0;  // whole; beyond 2^53 some numbers are left out
 };
 
 /// [s] An instant that misses a step at t by less is there: rounding of a quotient and of a

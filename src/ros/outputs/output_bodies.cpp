@@ -26,6 +26,7 @@ void Outputs::take(std::size_t body, std::optional<BodyTopics> topics) {
   if (added.fixed) return;
   greet(*topics);
   topics_.bodies.push_back(std::move(*topics));
+  asked_changes_.reset();
 }
 
 void Outputs::remove(std::size_t body) {
@@ -36,6 +37,7 @@ void Outputs::remove(std::size_t body) {
   imus_.remove(body);
   topics_.bodies.erase(std::remove_if(topics_.bodies.begin(), topics_.bodies.end(), is_body),
                        topics_.bodies.end());
+  asked_changes_.reset();
 }
 
 /// Makes what depends on which bodies there are.

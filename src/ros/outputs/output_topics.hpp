@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,9 @@ struct OutputTopics {
   Topic<Contacts> contacts;     ///< empty functions unless bodies can touch
   Topic<LawForces> law_forces;  ///< empty functions unless there are springs or tethers
   std::vector<BodyTopics> bodies;
+  /// How often a subscriber of any of them has come or gone, where that is known: thousands of
+  /// topics need not be asked one by one then.
+  std::function<std::size_t()> changes{};
 };
 
 /// Which topics there are.

@@ -124,7 +124,12 @@ std::optional<double> Outputs::instantWithinStep() const {
 void Outputs::publishInstant(double t) { publishAt(t, t); }
 
 void Outputs::publishWithinStep(double t_end) {
-  const double reach = t_end + instantRounding(t_end, simulation_->world().solver.time_step);
+  const double rounding = instantRounding(t_end, simulation_->world().solver.time_step);
+  const double reach = t_end + rounding;
+  // where nobody looks they are none of a long step's work; those of its end are due after it
+  if (!isWatched())
+    for (Instants* instants : {&state_instants_, &marker_instants_})
+      instants->passTo(t_end - rounding);
   for (auto t = instantWithinStep(); t && *t <= reach; t = instantWithinStep()) publishInstant(*t);
 }
 
@@ -162,7 +167,7 @@ void Outputs::repeatClock() {
 }
 
 void Outputs::repeatState() {
-  if (!anySubscribers()) return;
+  if (!asksForState()) return;
   const Snapshot snapshot = shown();
   publishBodyTopics(snapshot, origin_.stamp(snapshot.time()));
 }
@@ -200,7 +205,7 @@ void Outputs::publishState(double t, bool with_markers) {
   last_t_ = t;
   const bool seen = live_markers_.hasSubscribers();
   if (!seen) live_markers_.forget();
-  if (!anySubscribers() && !topics_.tf.subscribers() && !(seen && with_markers)) return;
+  if (!asksForState() && !topics_.tf.subscribers() && !(seen && with_markers)) return;
   const Snapshot snapshot(*simulation_, within_, t);
   if (topics_.tf.subscribers() && stamp != greeted_) {
     const tf2_msgs::TFMessage frames = messages_.transforms(moving_, snapshot, stamp);
@@ -208,6 +213,19 @@ void Outputs::publishState(double t, bool with_markers) {
   }
   publishBodyTopics(snapshot, stamp);
   if (seen && with_markers) live_markers_.publish(snapshot, stamp);
+}
+
+bool Outputs::isWatched() {
+  return asksForState() || topics_.tf.subscribers() > 0 || live_markers_.hasSubscribers();
+}
+
+/// Whether anySubscribers, which is looked up again after somebody has come or gone.
+bool Outputs::asksForState() {
+  const std::optional<std::size_t> changes =
+      topics_.changes ? std::optional<std::size_t>(topics_.changes()) : std::nullopt;
+  if (!changes || changes != asked_changes_) asks_for_state_ = anySubscribers();
+  asked_changes_ = changes;
+  return asks_for_state_;
 }
 
 /// Of ~states, ~contacts, ~law_forces and the topics of single bodies.

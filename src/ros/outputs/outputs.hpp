@@ -50,6 +50,9 @@ class Outputs {
   /// counts.
   double nextInstant() const;
 
+  /// Whether anybody is sent what is due at an instant, but for /clock and the IMUs.
+  bool isWatched();
+
   /// Publishes what is due at that instant, or at all instants before the next step up to t_end
   /// [s].
   void publishInstant(double t);
@@ -120,6 +123,7 @@ class Outputs {
   void publishMotions(const Snapshot& snapshot, const ros::Time& stamp);
   void setStates(const Snapshot& snapshot, const ros::Time& stamp);
   double nextOfAll() const;
+  bool asksForState();
   bool anySubscribers() const;
   Snapshot shown() const { return Snapshot(*simulation_, shownTime()); }
 
@@ -128,6 +132,8 @@ class Outputs {
   StatesWithin within_;  // the step of that, at state_instants_
   const TimeOrigin& origin_;
   BodyMessages messages_;
+  std::optional<std::size_t> asked_changes_;   // of subscribers; see asksForState
+  bool asks_for_state_ = false;                // as of then
   std::vector<std::size_t> listed_;            // bodies taken in, ascending
   std::vector<std::size_t> moving_, present_;  // those of them that move, that are not absent
   bool publish_clock_;

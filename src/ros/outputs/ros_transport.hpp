@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -22,6 +23,7 @@ class RosTransport {
   template <class Message>
   Topic<Message> open(const std::string& name, bool latched) {
     const auto topic = std::make_shared<Advertised<Message>>();
+    topic->changes = changes_;
     topic->advertise(nh_, ros::names::resolve(name), queue_size_, latched);
     return {
         [topic] { return topic->subscribers(); },
@@ -29,6 +31,11 @@ class RosTransport {
         [topic](typename Topic<Message>::Greeting greeting) {
           topic->greeting = std::move(greeting);
         }};
+  }
+
+  /// How often a subscriber of one of these topics has come or gone.
+  std::function<std::size_t()> changes() const {
+    return [changes = changes_] { return *changes; };
   }
 
  private:
@@ -41,12 +48,17 @@ class RosTransport {
       publisher = nh.advertise<Message>(
           name, queue_size,
           [this](const ros::SingleSubscriberPublisher& subscriber) { greet(subscriber); },
-          [this](const ros::SingleSubscriberPublisher&) { changed = true; }, ros::VoidConstPtr(),
+          [this](const ros::SingleSubscriberPublisher&) { noteChange(); }, ros::VoidConstPtr(),
           latched);
     }
 
-    void greet(const ros::SingleSubscriberPublisher& subscriber) {
+    void noteChange() {
       changed = true;
+      ++*changes;
+    }
+
+    void greet(const ros::SingleSubscriberPublisher& subscriber) {
+      noteChange();
       if (!greeting) return;
       if (const std::optional<Message> message = greeting()) subscriber.publish(*message);
     }
@@ -59,11 +71,13 @@ class RosTransport {
     typename Topic<Message>::Greeting greeting;
     bool changed = false;
     std::size_t count = 0;
-    ros::Publisher publisher;  // last: its end ends the callbacks
+    std::shared_ptr<std::size_t> changes;  // of all topics
+    ros::Publisher publisher;              // last: its end ends the callbacks
   };
 
   ros::NodeHandle nh_;
   std::uint32_t queue_size_;
+  std::shared_ptr<std::size_t> changes_ = std::make_shared<std::size_t>(0);
 };
 
 }  // namespace rigid_body_sim

@@ -11,6 +11,7 @@
 #include "scene/build/check_scene.hpp"
 #include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
+#include "scene/readers/file_type.hpp"
 #include "scene/readers/fingerprint.hpp"
 #include "scene/readers/read_scene.hpp"
 #include "scene/readers/readers.hpp"
@@ -157,6 +158,7 @@ Scene parseScene(const std::string& yaml_text, const std::string& source_name,
 }
 
 Scene loadScene(const std::string& path, const PackageFinder& find_package) {
+  requireSceneName(path);
   ReadContext context;
   context.source = path;
   context.directory = std::filesystem::path(path).parent_path();

@@ -1,7 +1,6 @@
 #include "tools/mass_properties/mass_properties_input.hpp"
 
 #include <filesystem>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -11,6 +10,7 @@
 #include "scene/meshes/read_mesh.hpp"
 #include "scene/meshes/solid_mesh.hpp"
 #include "scene/message_text.hpp"
+#include "scene/readers/file_type.hpp"
 #include "scene/urdf/read_urdf.hpp"
 #include "tools/mass_properties/scene_names.hpp"
 
@@ -76,11 +76,7 @@ Masses massesOfUrdf(const std::string& path) {
 
 /// Refuses files of types that are well known and not read here. Any other name is a scene's.
 void requireSupported(const std::string& path, const std::string& extension) {
-  static const std::set<std::string> unsupported{
-      ".3ds",  ".3mf",  ".amf",  ".blend", ".brep",  ".dxf", ".fbx",  ".glb",
-      ".gltf", ".iges", ".igs",  ".off",   ".ply",   ".sdf", ".step", ".stp",
-      ".usd",  ".usda", ".usdc", ".usdz",  ".world", ".wrl", ".x3d",  ".xacro"};
-  if (unsupported.count(extension) == 0) return;
+  if (!isOfUnsupportedType(extension)) return;
   throw std::runtime_error(path + ": unsupported file type " + extension +
                            "; supported: .stl, .obj, .dae (meshes), .urdf, .xml (URDF), any other "
                            "name (scenes)" +

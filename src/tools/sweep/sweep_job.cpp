@@ -14,6 +14,7 @@
 #include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/message_text.hpp"
+#include "scene/readers/file_type.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/scene_files.hpp"
@@ -37,6 +38,7 @@ std::string fanHeader(const std::vector<double>& instants) {
 SweepInputs inputsOf(const SweepOptions& options) {
   SweepInputs inputs;
   inputs.study = loadStudy(options.study, options.runs, options.seed);
+  requireSceneName(options.scene);
   inputs.scene_text = readFile(options.scene, "scene file", kMaxSceneBytes);
   inputs.context.source = options.scene;
   inputs.context.directory = std::filesystem::path(options.scene).parent_path();

@@ -25,7 +25,10 @@ class MonitorTopics : public NodeBesideCore {
     };
     const boost::function<void(const diagnostic_msgs::DiagnosticArray&)> hear_diagnostics =
         [this](const diagnostic_msgs::DiagnosticArray& message) {
-          for (const DiagnosticStatus& s : message.status) diagnostics[s.name] = s;
+          for (const DiagnosticStatus& s : message.status) {
+            diagnostics[s.name] = s;
+            ++reports[s.name];
+          }
         };
     subscribers.push_back(nh.subscribe<SimStatus>("rigid_body_node/status", 100, hear_status));
     subscribers.push_back(
@@ -40,6 +43,7 @@ class MonitorTopics : public NodeBesideCore {
 
   SimStatus status;
   std::map<std::string, DiagnosticStatus> diagnostics;
+  std::map<std::string, int> reports;
   std::vector<ros::Subscriber> subscribers;
 };
 
@@ -72,6 +76,14 @@ TEST_F(MonitorTopics, StatusIsPublishedWhilePausedToo) {
   driver.pause(false);
   EXPECT_TRUE(NodeDriver::waitFor([&] { return !status.paused && status.real_time_factor > 0; }));
   driver.pause(true);
+}
+
+// diagnostic_updater's parameter is taken, and would let a thousand seconds pass
+TEST_F(MonitorTopics, AreSentOnceASecondWhateverDiagnosticPeriodSays) {
+  double period = 0;
+  ASSERT_TRUE(ros::param::get("pad/diagnostic_period", period));
+  ASSERT_EQ(period, 1000);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return reports["pad: simulation"] >= 3; }));
 }
 
 TEST_F(MonitorTopics, DivergenceIsAnErrorThatNamesWhatWhereAndWhen) {
