@@ -116,7 +116,8 @@ RIGID_BODY_SIM_INLINE void evaluateSeries(const TaylorSeries<T>& series, std::si
   constexpr int kMotion = 2;
   using Coefficient = const T(*)[4];
   const Coefficient of[] = {series.w, series.q, series.squares, series.crosses, series.turns};
-  Lanes<T> sum[kSeries], whole[3], c;
+  Lanes<T> sum[kSeries], c;
+  [[maybe_unused]] Lanes<T> whole[3];  // of the integrals: GCC 9 warns where there are none
   for (int j = 0; j < kSeries; ++j) {
     load<T>(of[j][degree], sum[j]);
     if constexpr (kIntegrated)
