@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <chrono>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -144,6 +146,21 @@ TEST_F(Recorded, RunThatLacksAnInputIsRefused) {
   EXPECT_NE(fault().find("input 2 of the run is missing"), std::string::npos) << fault();
   inputs.erase(inputs.begin(), inputs.begin() + 2);
   EXPECT_NE(fault().find("input 0 of the run is missing"), std::string::npos) << fault();
+}
+
+// taken while a step was under way, which has ended since
+TEST_F(Recorded, WrenchThatComesLateIsRecordedAsItActs) {
+  stepTo(7);
+  PointWrench wrench = wrenchAtCenterOfMass(run.world().bodies, 0, {1, 2, 0.3}, {0, 0.1, 0});
+  wrench.start = 0.0625;
+  wrench.end = 0.09375;
+  node.apply(WrenchInput{"a", wrench});
+  ASSERT_EQ(inputs.size(), 1U);
+  EXPECT_EQ(inputs[0].start, run.time());
+  EXPECT_EQ(inputs[0].end, 0.09375 + (run.time() - 0.0625));
+  expectRepeated(replayOf(inputs), 60);
+  wrench.start = -std::numeric_limits<double>::infinity();
+  EXPECT_THROW(node.apply(WrenchInput{"a", wrench}), std::invalid_argument);
 }
 
 TEST_F(Recorded, StepThatGoesBackIsRefused) {

@@ -49,7 +49,9 @@ bodies: [{name: box, shape: {box: [1, 2, 3]}, mass: 2,
 
   /// Writes a bag with an input of 1 N at each of the times [s], 4 ms a step, held for 0.5 s, as a
   /// node publishes them that was started at `start`.
-  void record(const std::string& name, const std::vector<double>& times, ros::Time start) const {
+  /// late [s]: what each was to act from before it was taken.
+  void record(const std::string& name, const std::vector<double>& times, ros::Time start,
+              double late = 0) const {
     rosbag::Bag bag(path(name), rosbag::bagmode::Write);
     for (std::size_t i = 0; i < times.size(); ++i) {
       Input input;
@@ -60,8 +62,8 @@ bodies: [{name: box, shape: {box: [1, 2, 3]}, mass: 2,
       input.time = static_cast<double>(input.step) * 0.004;
       input.body = input.point_frame = "box";
       input.wrench.force.x = 1;
-      input.start = input.time;
-      input.end = input.time + 0.5;
+      input.start = input.time - late;
+      input.end = input.start + 0.5;
       // a recorder receives it a little later
       bag.write("/rigid_body_node/inputs", input.header.stamp + ros::Duration(0.0003), input);
     }

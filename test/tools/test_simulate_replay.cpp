@@ -147,6 +147,10 @@ TEST_F(SimulateBags, ReplayIsAsLongAsTheRecord) {
   runs_for("10");  // inputs alone: the horizon
   record("run.bag", {0.1, 11.6}, start);
   runs_for("12.1");  // or as long as the last wrench acts
+  record("run.bag", {0.1, 11.6}, start, 0.4);
+  runs_for("12.1");
+  record("run.bag", {0.1, 11.6}, start, 0.5);
+  runs_for("12.1");
   nav_msgs::Odometry odometry;
   odometry.header.stamp = start + ros::Duration(23.1237);
   // a minute of wall time went by while the run was paused

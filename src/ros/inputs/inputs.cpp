@@ -1,6 +1,9 @@
 #include "ros/inputs/inputs.hpp"
 
+#include <cmath>
+#include <optional>
 #include <utility>
+#include <variant>
 
 #include <ros/console.h>
 
@@ -18,6 +21,23 @@ bool beginsRun(const SimulationInput& input) {
   return (reset && reset->restart_time) || std::holds_alternative<LoadInput>(input);
 }
 
+/// What was to act from before the time t [s] on acts from there on, for as long: the same that the
+/// simulation would make of it, so that the record says when it acts. Nothing for other inputs.
+std::optional<SimulationInput> delayedTo(double t, const SimulationInput& input) {
+  const auto isLate = [t](double start) { return start < t && std::isfinite(start); };
+  const auto delay = [t](auto timed) {
+    timed.end += t - timed.start;
+    timed.start = t;
+    return timed;
+  };
+  const auto* wrench = std::get_if<WrenchInput>(&input);
+  if (wrench && isLate(wrench->wrench.start))
+    return WrenchInput{wrench->slot, delay(wrench->wrench)};
+  const auto* command = std::get_if<CommandInput>(&input);
+  if (command && isLate(command->command.start)) return CommandInput{delay(command->command)};
+  return std::nullopt;
+}
+
 }  // namespace
 
 Inputs::Inputs(Topic<Input> record, const std::string& world_frame, Simulation& simulation,
@@ -33,6 +53,11 @@ Inputs::Inputs(Topic<Input> record, const std::string& world_frame, Simulation& 
 
 void Inputs::apply(const SimulationInput& input) {
   if (prepare_) prepare_();
+  const std::optional<SimulationInput> delayed = delayedTo(simulation_.time(), input);
+  applyInTime(delayed ? *delayed : input);
+}
+
+void Inputs::applyInTime(const SimulationInput& input) {
   simulation_.apply(input);
   if (beginsRun(input)) {
     ++run_;

@@ -44,6 +44,7 @@ class Inputs {
   ros::Time stamp() const { return origin_.stamp(simulation_.time()); }
 
  private:
+  void applyInTime(const SimulationInput& input);
   void record(const SimulationInput& input);
 
   std::string world_frame_;

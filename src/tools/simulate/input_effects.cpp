@@ -27,13 +27,17 @@ std::vector<InputEffects> effectsOf(const std::vector<TimedInput>& inputs, std::
 double endOfEffects(const std::vector<TimedInput>& inputs, double time_step) {
   double end = 0;
   for (const TimedInput& timed : inputs) {
-    end = std::max(end, static_cast<double>(timed.step) * time_step);
-    const auto* wrench = std::get_if<WrenchInput>(&timed.input);
-    if (wrench && std::isfinite(wrench->wrench.end)) end = std::max(end, wrench->wrench.end);
-    const auto* input = std::get_if<CommandInput>(&timed.input);
-    if (!input) continue;
-    end = std::max(end, input->command.start);
-    if (std::isfinite(input->command.end)) end = std::max(end, input->command.end);
+    const double taken = static_cast<double>(timed.step) * time_step;
+    end = std::max(end, taken + time_step);  // at the end of the run it would not be taken
+    // what was to act from before acts from then on, for as long
+    const auto reachTo = [&end, taken](double from, double to) {
+      end = std::max(end, from);
+      if (std::isfinite(to)) end = std::max(end, to + std::max(taken - from, 0.0));
+    };
+    if (const auto* input = std::get_if<WrenchInput>(&timed.input))
+      reachTo(input->wrench.start, input->wrench.end);
+    if (const auto* input = std::get_if<CommandInput>(&timed.input))
+      reachTo(input->command.start, input->command.end);
   }
   return end;
 }
