@@ -10,6 +10,14 @@
 #include <ros/init.h>
 
 namespace rigid_body_sim {
+namespace {
+
+TimeOrigin wallOrigin() {
+  const ros::WallTime now = ros::WallTime::now();
+  return {ros::Time(now.sec, now.nsec)};
+}
+
+}  // namespace
 
 Timekeeper::Timekeeper(const NodeOptions& options, const ros::NodeHandle& nh,
                        ros::CallbackQueue& queue)
@@ -37,8 +45,11 @@ TimeOrigin Timekeeper::findStart(ros::CallbackQueue& queue) const {
     waitForClock(queue);
     return {clock_->now()};
   }
-  const ros::WallTime now = ros::WallTime::now();
-  return {ros::Time(now.sec, now.nsec)};
+  return wallOrigin();
+}
+
+void Timekeeper::startRun() {
+  if (!options_.publish_clock && !options_.start_time && !clock_) origin_ = wallOrigin();
 }
 
 void Timekeeper::waitForClock(ros::CallbackQueue& queue) const {

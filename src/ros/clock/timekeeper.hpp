@@ -26,6 +26,10 @@ class Timekeeper {
 
   const TimeOrigin& origin() const { return origin_; }
 
+  /// The run begins. Where stamps are those of the wall, time zero is now: thousands of topics take
+  /// seconds to be registered, which the stamps would lag behind for ever.
+  void startRun();
+
   /// Ties the wall to simulation time t [s].
   void restart(double t);
 

@@ -100,6 +100,7 @@ SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
 
 void SimulationNode::run() {
   try {
+    time_.startRun();
     restartClocks();
     outputs_.setStanding(paused_);
     if (!paused_) outputs_.publishDue();
