@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "math/shortest.hpp"
 #include "programs/make_directory.hpp"
 #include "programs/package_directory.hpp"
 #include "programs/tool_scene.hpp"
@@ -92,8 +93,11 @@ std::string SweepJob::writeScene(std::int64_t number) {
   makeDirectory(options_.directory());
   const std::string path =
       (std::filesystem::path(options_.directory()) / sceneName(number)).string();
-  writeText(path, "# run " + std::to_string(number) + " of " + info_.title + ", seed " +
-                      std::to_string(inputs_.study.seed) + "\n" + scene);
+  std::string heading = "# run " + std::to_string(number) + " of " + info_.title + ", seed " +
+                        std::to_string(inputs_.study.seed);
+  if (inputs_.study.duration)
+    heading += "; its row is after simulate --duration " + shortest(*inputs_.study.duration);
+  writeText(path, heading + "\n" + scene);
   return path;
 }
 

@@ -204,6 +204,13 @@ TEST(SweepProgram, WritesTheSceneOfARun) {
     EXPECT_NEAR(std::stod(end.at(quantity).back()),
                 std::stod(rows.at(std::string("ball.") + quantity)[7]), 1e-13)
         << quantity;
+  // `simulate` has to be told what the study says of the duration
+  const std::string shorter =
+      files.written("shorter.yaml", std::string(kBallStudy) + "\nduration: 1.5\n");
+  ASSERT_EQ(sweep("--run 8 " + scene + " " + shorter + " --out " + files.path("out")).exit_code, 0);
+  const std::string text = fileText(files.path("out/run_8.yaml"));
+  EXPECT_NE(text.substr(0, text.find('\n')).find("simulate --duration 1.5"), std::string::npos)
+      << text;
   EXPECT_EQ(sweep("--run 600 " + command).exit_code, 2);
 }
 
