@@ -104,9 +104,31 @@ TEST(RollingFriction, StopsABall) {
                 motionAt({0, 0, R - restingDepth(1, 1, c)}, {v0, 0, 0}, {0, v0 / R, 0}),
                 HalfSpace{}, c);
   Simulation sim = test::simulationAt(bench, 1e-9, 0.01);
+  sim.trackBalance();
+  while (sim.time() < 1) sim.step();
+  // the stretched bristles hold ρ m g b/(2 R) = 1e-6 J
+  EXPECT_NEAR(sim.balance().energy, 0, 1e-10);
   while (sim.time() < 6) sim.step();
   EXPECT_NEAR(sim.body(0).x_W.x(), v0 * v0 / (2 * 5.0 / 7 * rho * kPull / R), 20 * c.breakaway);
   EXPECT_NEAR(sim.body(0).p_W.norm(), 0, 1e-9);
+}
+
+// torn off faster than 1/dissipation: what it was pressed in by is lost
+TEST(NormalPoint, ThatIsTornOffLosesItsEnergy) {
+  Bench bench;
+  bench.world.g_W = {0, 0, -kPull};
+  const ContactParameters c = contactOf(1e4, 1.5, 5, 0);
+  test::addBall(bench, 0.1, 1, motionAt({0, 0, 0.1 - restingDepth(1, 1, c)}, {0, 0, 1}, {0, 0, 0}),
+                HalfSpace{}, c);
+  Simulation sim = test::simulationAt(bench, 1e-9, 0.01);
+  sim.trackBalance();
+  sim.step();
+  const double depth = restingDepth(1, 1, c);
+  const double fall = 0.5 * kPull * 0.01 * 0.01, rise = 0.01 - fall;
+  // no force: it flies as if there were no ground
+  EXPECT_NEAR(sim.body(0).x_W.z(), 0.1 - depth + rise, 1e-12);
+  EXPECT_NEAR(sim.balance().energy, 0, 1e-12);
+  EXPECT_GT(1e4 / 2.5 * std::pow(depth, 2.5), 1e-2);  // [J] is lost, and counted as lost
 }
 
 /// A box thrown on a slope, of any attitude and spin.
