@@ -15,6 +15,7 @@ rigid_body_sim_benchmark(benchmark_crowds
 # benchmark_touch_peers: the same engines, where bodies touch the ground
 rigid_body_sim_benchmark(benchmark_touch_peers
   SOURCES test/benchmark/touch_peers.cpp test/benchmark/touch_peers_ours.cpp
+          test/benchmark/touch_peers_rattleback.cpp
   LIBRARIES rigid_body_sim_core)
 # each engine has names and macros of its own
 set_target_properties(rigid_body_sim_benchmark_peers rigid_body_sim_benchmark_crowds

@@ -7,13 +7,33 @@
 // Where a body is after it has touched the ground, against processor time: ours and the engines
 // found on this machine, each by its own contact. Truth: a rigid body under Coulomb's law, which
 // ours comes near by stiffness, the others by short steps. A box that lands has none: there each is
-// compared with its own run at its last setting, so that what is shown is whether it converges.
+// compared with its own run at its last setting, so that what is shown is whether it converges. Of
+// a rattleback, the attitude counts.
 
 namespace rigid_body_sim::touch_peers {
 
 std::vector<TouchEngine>& touchEngines() {
   static std::vector<TouchEngine> all;
   return all;
+}
+
+Array3 lowestPoint(const TouchCase& c, const Array3& down_P) {
+  const double cos = std::cos(c.shape_turn), sin = std::sin(c.shape_turn);
+  const Array3& d = c.semi_axes;
+  Array3 along{d[0] * (cos * down_P[0] + sin * down_P[1]),
+               d[1] * (cos * down_P[1] - sin * down_P[0]), d[2] * down_P[2]};
+  const double length = std::hypot(along[0], along[1], along[2]);
+  for (std::size_t i = 0; i < 3; ++i) along[i] *= d[i] / length;
+  return {cos * along[0] - sin * along[1], sin * along[0] + cos * along[1], c.shape_up + along[2]};
+}
+
+double angleBetween(const Quaternion4& a, const Quaternion4& b) {
+  // of the vector part of a⁻¹ b: without loss where they are close
+  const Array3 v{a[3] * b[0] - b[3] * a[0] - a[1] * b[2] + a[2] * b[1],
+                 a[3] * b[1] - b[3] * a[1] - a[2] * b[0] + a[0] * b[2],
+                 a[3] * b[2] - b[3] * a[2] - a[0] * b[1] + a[1] * b[0]};
+  const double w = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  return 2 * std::atan2(std::hypot(v[0], v[1], v[2]), std::abs(w));
 }
 
 namespace {
@@ -81,20 +101,22 @@ TouchCase landingBox() {
 }
 
 void compare(const TouchCase& c) {
-  std::printf("\n%s: error [m], processor time [ms]%s\n", c.name.c_str(),
+  std::printf("\n%s: error [%s], processor time [ms]%s\n", c.name.c_str(),
+              c.isEllipsoid() ? "rad" : "m",
               c.has_truth ? "" : "; error: against the engine's own last run");
   for (const TouchEngine& engine : touchEngines()) {
-    constexpr double kPatience = 20;  // [s] of processor time, a run
     std::vector<TouchRun> runs;
-    for (const double setting : engine.settings) {
+    for (const double setting : c.isEllipsoid() ? engine.settings_of_ellipsoids : engine.settings) {
       runs.push_back(engine.run(c, setting));
       if (runs.back().seconds > kPatience) break;
     }
+    if (runs.empty()) continue;
     const Array3 truth = c.has_truth ? c.truth : runs.back().x_W;
     std::printf("%-14s", engine.name);
     if (!c.has_truth) runs.pop_back();
     for (const TouchRun& run : runs)
-      std::printf(" | %s: %.0e, %.2g", run.setting.c_str(), distance(run.x_W, truth),
+      std::printf(" | %s: %.1e, %.2g", run.setting.c_str(),
+                  c.isEllipsoid() ? angleBetween(run.q, c.attitude) : distance(run.x_W, truth),
                   1e3 * run.seconds);
     std::printf("\n");
     std::fflush(stdout);
@@ -104,10 +126,14 @@ void compare(const TouchCase& c) {
 }  // namespace
 }  // namespace rigid_body_sim::touch_peers
 
-int main() {
+/// Of all cases, or of those whose names begin with the argument.
+int main(int argc, char** argv) {
   using namespace rigid_body_sim::touch_peers;
   std::sort(
       touchEngines().begin(), touchEngines().end(),
       [](const TouchEngine& a, const TouchEngine& b) { return std::string(a.name) < b.name; });
-  for (const TouchCase& c : {bouncingBall(), slidingBox(), rollingBall(), landingBox()}) compare(c);
+  const std::string wanted = argc > 1 ? argv[1] : "";
+  for (const TouchCase& c :
+       {bouncingBall(), slidingBox(), rollingBall(), landingBox(), rattleback()})
+    if (c.name.rfind(wanted, 0) == 0) compare(c);
 }

@@ -6,7 +6,8 @@
 
 // Ours in steps of 10 ms, over stiffnesses of the ground: what is left is how far a ground that
 // yields is from a rigid one. At a tolerance of 1e-6, and cheaper, at 1e-3 and bristles that yield
-// ten times as far. A box that lands: over tolerances, at one stiffness.
+// ten times as far; under a rattleback, as far as the ground itself yields. A box that lands: over
+// tolerances, at one stiffness.
 
 namespace rigid_body_sim::touch_peers {
 namespace {
@@ -17,6 +18,22 @@ struct OurSetting {
   double stiffness, tolerance, breakaway;
 };
 
+/// Released at the depth at which it rests.
+void addEllipsoid(test::Bench& bench, const TouchCase& c, BodyFrameMotion motion, double depth,
+                  const ContactParameters& parameters) {
+  motion.x_W.z() -= depth;
+  const Body body =
+      makeBody("rattleback", {1, Vector3d::Zero(), Matrix3d(vector(c.inertia).asDiagonal())});
+  bench.add(body, motion);
+  const Isometry3d X_PB = body.X_BP.inverse();
+  ContactShape shape;
+  shape.ellipsoids = {{X_PB * Vector3d(0, 0, c.shape_up),
+                       Quaterniond(X_PB.linear()) * rotationExp(Vector3d(0, 0, c.shape_turn)),
+                       vector(c.semi_axes)}};
+  bench.world.laws = {
+      contactWithHalfSpace(bench.world.bodies, 0, shape, test::slope(0), parameters)};
+}
+
 TouchRun ourRun(const TouchCase& c, const OurSetting& set, std::string setting) {
   test::Bench bench;
   bench.world.g_W = {0, 0, -kGravity};
@@ -25,7 +42,10 @@ TouchRun ourRun(const TouchCase& c, const OurSetting& set, std::string setting) 
   const double dissipation = c.restitution < 1 ? 0.3 : 0;
   ContactParameters parameters = test::contactOf(set.stiffness, 1.5, dissipation, c.friction);
   parameters.breakaway = set.breakaway;
-  if (c.radius > 0)
+  if (c.isEllipsoid()) {  // it yields as far along the plane as across
+    parameters.breakaway = std::pow(kGravity / set.stiffness, 1 / 1.5);
+    addEllipsoid(bench, c, motion, parameters.breakaway, parameters);
+  } else if (c.radius > 0)
     test::addBall(bench, c.radius, 1, motion, test::slope(0), parameters);
   else
     test::addBox(bench, vector(c.box), 1, motion, test::slope(0), parameters);
@@ -36,6 +56,8 @@ TouchRun ourRun(const TouchCase& c, const OurSetting& set, std::string setting) 
   const BodyState end = simulation.body(0);
   const Vector3d x = end.x_W + end.x_low_W;
   run.x_W = {x[0], x[1], x[2]};
+  const BodyFrameMotion moved = toBodyFrameMotion(simulation.world().bodies[0], end);
+  run.q = {moved.q_WB.x(), moved.q_WB.y(), moved.q_WB.z(), moved.q_WB.w()};
   return run;
 }
 
@@ -54,8 +76,10 @@ TouchRun ourLooseTouch(const TouchCase& c, double digits) {
                 "stiffness 1e" + std::to_string(std::lround(digits)));
 }
 
-const TouchRegistration kOursTouch({" ours", {4, 6, 8, 10, 12}, ourTouch});
-const TouchRegistration kOursLooseTouch({" ours, loose", {3, 4, 5, 6, 8}, ourLooseTouch});
+const TouchRegistration kOursTouch(
+    {" ours", {4, 6, 8, 10, 12}, ourTouch, {6, 7, 8, 9, 10, 11, 12, 13, 14}});
+const TouchRegistration kOursLooseTouch(
+    {" ours, loose", {3, 4, 5, 6, 8}, ourLooseTouch, {6, 7, 8, 9, 10, 11, 12, 13, 14}});
 
 }  // namespace
 }  // namespace rigid_body_sim::touch_peers
