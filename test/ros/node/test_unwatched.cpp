@@ -1,10 +1,13 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 
 #include <rigid_body_sim/ApplyWrench.h>
 #include <rigid_body_sim/GetState.h>
+
+#include "ros/node/node_driver.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -24,11 +27,20 @@ class UnwatchedNode : public ::testing::Test {
     return state.response;
   }
 
-  /// The wall is what the node's time follows: there is nothing else to wait for.
-  static void letStepsPass() { ros::WallDuration(0.003).sleep(); }
+  /// Until another node, which keeps time with the wall, too, has sent two states: more than 40 ms.
+  void letStepsPass() {
+    ros::spinOnce();  // those that have come before
+    const int before = beats_;
+    EXPECT_TRUE(NodeDriver::waitFor([&] { return beats_ >= before + 2; }));
+  }
 
   ros::NodeHandle nh;
   ros::ServiceClient get_state = nh.serviceClient<GetState>("rigid_body_node/get_state");
+
+ private:
+  int beats_ = 0;
+  ros::Subscriber beat_ = nh.subscribe<nav_msgs::Odometry>(
+      "beat/clock/odom", 10, [this](const nav_msgs::OdometryConstPtr&) { ++beats_; });
 };
 
 }  // namespace
@@ -41,7 +53,7 @@ TEST_F(UnwatchedNode, AnswersAtTheStepThatTheWallHasReached) {
     ballNow();  // whatever has been slept over before is taken after it at the latest
     const ros::Time first = ballNow().stamp;
     const ros::WallTime begin = ros::WallTime::now();
-    ros::WallDuration(0.03).sleep();
+    letStepsPass();
     const double elapsed = (ros::WallTime::now() - begin).toSec();
     in_time += (ballNow().stamp - first).toSec() >= elapsed - 2 * kStep;
   }
