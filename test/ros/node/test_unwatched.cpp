@@ -7,7 +7,7 @@
 #include <rigid_body_sim/ApplyWrench.h>
 #include <rigid_body_sim/GetState.h>
 
-#include "ros/node/node_driver.hpp"
+#include "node_driver.hpp"
 
 namespace rigid_body_sim {
 namespace {
