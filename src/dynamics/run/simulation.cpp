@@ -9,6 +9,7 @@
 #include "dynamics/run/contact_trial.hpp"
 #include "dynamics/run/parts.hpp"
 #include "dynamics/world_changes.hpp"
+#include "dynamics/wrenches/delay.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -153,10 +154,7 @@ void Simulation::applyWrench(const std::string& slot, const PointWrench& wrench)
   std::size_t& at_most = parts_->wrenches_at_most;
   if (at_most >= kMaxWrenches) at_most = wrenchCount();
   PointWrench timed = onSteps(wrench, world().solver.time_step);
-  if (timed.start < time()) {  // now, at the same duration
-    timed.end += time() - timed.start;
-    timed.start = time();
-  }
+  delayTo(time(), timed);
   parts_->run.put(slot, timed);
   ++at_most;
   if (parts_->error) parts_->error->put(slot, timed);

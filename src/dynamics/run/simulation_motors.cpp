@@ -3,6 +3,7 @@
 
 #include "dynamics/run/check_input.hpp"
 #include "dynamics/run/parts.hpp"
+#include "dynamics/wrenches/delay.hpp"
 
 /// What is asked of motors.
 namespace rigid_body_sim {
@@ -17,10 +18,7 @@ void Simulation::command(const ActuatorCommand& command) {
   ActuatorCommand timed = command;
   timed.start = onStep(command.start, world().solver.time_step);
   timed.end = onStep(command.end, world().solver.time_step);
-  if (timed.start < time()) {
-    timed.end += time() - timed.start;
-    timed.start = time();
-  }
+  delayTo(time(), timed);
   parts_->run.command(timed);
   ++at_most;
   if (parts_->error) parts_->error->command(timed);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/wrenches/delay.hpp"
+
 namespace rigid_body_sim {
 
 double onStep(double t, double h) {
@@ -36,10 +38,7 @@ void nameOwnBody(PointWrench& wrench) {
 
 void WrenchSchedule::put(const std::string& slot, PointWrench wrench, double now) {
   nameOwnBody(wrench);
-  if (wrench.start < now) {
-    wrench.end += now - wrench.start;
-    wrench.start = now;
-  }
+  delayTo(now, wrench);
   if (!slot.empty()) {
     for (std::size_t i = 0; i < active_.size(); ++i)
       if (active_slots_[i] == slot) active_[i].end = std::min(active_[i].end, wrench.start);

@@ -7,6 +7,7 @@
 
 #include <ros/console.h>
 
+#include "dynamics/wrenches/delay.hpp"
 #include "ros/inputs/input_messages.hpp"
 
 namespace rigid_body_sim {
@@ -21,20 +22,22 @@ bool beginsRun(const SimulationInput& input) {
   return (reset && reset->restart_time) || std::holds_alternative<LoadInput>(input);
 }
 
-/// What was to act from before the time t [s] on acts from there on, for as long: the same that the
-/// simulation would make of it, so that the record says when it acts. Nothing for other inputs.
+/// A wrench or a command that comes late as the simulation delays it, so that the record says when
+/// it acts; nothing for other inputs.
 std::optional<SimulationInput> delayedTo(double t, const SimulationInput& input) {
   const auto isLate = [t](double start) { return start < t && std::isfinite(start); };
-  const auto delay = [t](auto timed) {
-    timed.end += t - timed.start;
-    timed.start = t;
-    return timed;
-  };
-  const auto* wrench = std::get_if<WrenchInput>(&input);
-  if (wrench && isLate(wrench->wrench.start))
-    return WrenchInput{wrench->slot, delay(wrench->wrench)};
-  const auto* command = std::get_if<CommandInput>(&input);
-  if (command && isLate(command->command.start)) return CommandInput{delay(command->command)};
+  if (const auto* wrench = std::get_if<WrenchInput>(&input)) {
+    if (!isLate(wrench->wrench.start)) return std::nullopt;
+    WrenchInput late = *wrench;
+    delayTo(t, late.wrench);
+    return late;
+  }
+  if (const auto* command = std::get_if<CommandInput>(&input)) {
+    if (!isLate(command->command.start)) return std::nullopt;
+    CommandInput late = *command;
+    delayTo(t, late.command);
+    return late;
+  }
   return std::nullopt;
 }
 

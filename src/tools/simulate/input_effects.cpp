@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/wrenches/delay.hpp"
+
 namespace rigid_body_sim {
 
 std::vector<InputEffects> effectsOf(const std::vector<TimedInput>& inputs, std::size_t applied,
@@ -29,15 +31,13 @@ double endOfEffects(const std::vector<TimedInput>& inputs, double time_step) {
   for (const TimedInput& timed : inputs) {
     const double taken = static_cast<double>(timed.step) * time_step;
     end = std::max(end, taken + time_step);  // at the end of the run it would not be taken
-    // what was to act from before acts from then on, for as long
-    const auto reachTo = [&end, taken](double from, double to) {
-      end = std::max(end, from);
-      if (std::isfinite(to)) end = std::max(end, to + std::max(taken - from, 0.0));
+    const auto reach = [&end, taken](auto acting) {
+      delayTo(taken, acting);
+      end = std::max(end, acting.start);
+      if (std::isfinite(acting.end)) end = std::max(end, acting.end);
     };
-    if (const auto* input = std::get_if<WrenchInput>(&timed.input))
-      reachTo(input->wrench.start, input->wrench.end);
-    if (const auto* input = std::get_if<CommandInput>(&timed.input))
-      reachTo(input->command.start, input->command.end);
+    if (const auto* input = std::get_if<WrenchInput>(&timed.input)) reach(input->wrench);
+    if (const auto* input = std::get_if<CommandInput>(&timed.input)) reach(input->command);
   }
   return end;
 }
