@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -7,6 +6,7 @@
 #include <rigid_body_sim/dynamics/step_sampler.hpp>
 
 #include "dynamics/run/run.hpp"
+#include "math/instant_rounding.hpp"
 #include "math/shortest.hpp"
 
 namespace rigid_body_sim {
@@ -73,9 +73,8 @@ StepSampler* StatesWithin::samplerFor(const Simulation& simulation, double t) {
 
 /// The instants before t, in contact. One that misses the step by rounding is not within it.
 void StatesWithin::goThrough(const Simulation& simulation, double t) {
-  const double h = simulation.world().solver.time_step;
   const double from = sampler_ ? last_ : simulation.time();
-  const double rounding = std::max(1e-9 * h, 1e-15 * t);
+  const double rounding = instantRounding(t, simulation.world().solver.time_step);
   if (!hasContact(simulation.world())) return;
   for (double k = std::floor(from * rate_) + 1; k / rate_ < t - rounding; ++k) {
     if (!(k / rate_ > from + rounding)) continue;

@@ -11,8 +11,8 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kMaxGrowth = 2.0;  // of a step, beside the one before
-constexpr double kStableTurn = 5;   // [rad] of dop853, which damps up to 5.9: StabilityOfDop853
+constexpr double kMaxGrowth = 2;   // of a step, beside the one before
+constexpr double kStableTurn = 5;  // [rad] of dop853, which damps up to 5.9: StabilityOfDop853
 
 /// Which laws act.
 std::vector<bool> actingLaws(const System& system, const SystemState& states) {

@@ -5,6 +5,7 @@
 
 #include <rigid_body_sim/dynamics/contact_point.hpp>
 
+#include "math/instant_rounding.hpp"
 #include "ros/outputs/law_forces.hpp"
 #include "ros/outputs/markers.hpp"
 #include "ros/outputs/state_messages.hpp"

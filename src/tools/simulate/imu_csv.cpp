@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "math/instant_rounding.hpp"
+
 namespace rigid_body_sim {
 
 ImuCsv::ImuCsv(const std::string& path, const Simulation& simulation)

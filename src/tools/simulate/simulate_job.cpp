@@ -8,11 +8,11 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/state_file.hpp>
 
+#include "math/instant_rounding.hpp"
 #include "math/shortest.hpp"
 #include "programs/distinct_files.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
-#include "ros/outputs/instants.hpp"
 #include "tools/common/state_at.hpp"
 
 namespace rigid_body_sim {
