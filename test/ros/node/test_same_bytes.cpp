@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,20 @@ struct Pace {
 };
 
 void PrintTo(const Pace& pace, std::ostream* out) { *out << pace.bodies << ", " << pace.name; }
+
+/// The first body whose motion differs, in words.
+std::string differenceOf(const BodyStates& message, const BodyStates& expected) {
+  std::ostringstream text;
+  for (std::size_t i = 0; i < std::min(message.name.size(), expected.name.size()); ++i) {
+    if (message.pose[i] == expected.pose[i] && message.twist[i] == expected.twist[i]) continue;
+    text << message.name[i] << "\n"
+         << message.pose[i] << message.twist[i] << "instead of\n"
+         << expected.pose[i] << expected.twist[i];
+    return text.str();
+  }
+  text << "the bodies move alike; " << message.name.size() << " of " << expected.name.size();
+  return text.str();
+}
 
 class SameBytes : public ::testing::TestWithParam<Pace> {
  protected:
@@ -96,7 +112,9 @@ TEST_P(SameBytes, ArePublishedAtEveryPace) {
     if (stamp > origin.stamp(kSpan) && compared >= kFewest) break;
     while (origin.stamp(run.time()) < stamp) run.step();
     const BodyStates expected = toBodyStates(world, run.state(), scene.world_frame, stamp);
-    ASSERT_EQ(bytesOf(message), bytesOf(expected)) << run.time();
+    ASSERT_TRUE(bytesOf(message) == bytesOf(expected))
+        << "at " << run.time() << " s, stamped " << stamp << ": "
+        << differenceOf(message, expected);
     ++compared;
   }
   EXPECT_GE(compared, kFewest);
