@@ -75,6 +75,31 @@ TEST(OutputCost, OfManyMessagesWithinAStepIsThatOfTheStep) {
   EXPECT_LT(by_messages, 12 * bounces.asked);
 }
 
+// Thousands of topics are not asked one by one at every instant.
+TEST(OutputCost, OfTopicsThatNobodyAsksForIsOnceForEachWhoComesOrGoes) {
+  const CountedBounces bounces;
+  Simulation simulation = bounces.simulation();
+  TimeOrigin origin;
+  test::PublishedMessages published;
+  OutputTopics topics = openTopics(published, bounces.world, {true});
+  int asked = 0;
+  std::size_t changes = 0, listeners = 0;
+  const auto count = [&](auto& topic) { topic.subscribers = [&] { return ++asked, listeners; }; };
+  ASSERT_EQ(topics.bodies.size(), 1U);
+  count(topics.bodies[0].odometry);
+  count(topics.bodies[0].acceleration);
+  count(topics.bodies[0].applied_wrench);
+  topics.changes = [&] { return changes; };
+  Outputs outputs(std::move(topics), PublishedStep::options(), bounces.scene, simulation, origin);
+  outputs.publishWithinStep(0.1);
+  EXPECT_GT(published.states.size(), 20U);
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(published.odometry.size(), 0U);
+  ++changes, ++listeners;
+  outputs.publishWithinStep(0.2);
+  EXPECT_GT(published.odometry["ball/odom"].size(), 20U);
+}
+
 TEST(OutputCost, HasNoBitsThatDependOnWhoListens) {
   const CountedBounces bounces;
   PublishedStep always(bounces), late(bounces);

@@ -251,11 +251,13 @@ std::int64_t Packs::evaluations(std::int64_t steps) const {
 
 double Packs::magnification() const {
   double most = 0;
-  for (const Shelf& shelf : shelves_)
+  for (const Shelf& shelf : shelves_) {
+    if (!shelf.method->claimsTo(kFeedsLeastAxis)) continue;
     for (std::size_t i = 0; i < shelf.lanes.size(); ++i)
       most = std::max(
           most,
           shelf.blocks[i / PackBlock::kLanes].columns[kMagnificationColumn][i % PackBlock::kLanes]);
+  }
   return most;
 }
 

@@ -10,6 +10,7 @@ void Groups::clear(std::size_t bodies) {
   known_until_.clear();
   group_of_.assign(bodies, 0);
   member_of_.assign(bodies, kNone);
+  feeds_least_axis_ = false;
   removed_ = {};
 }
 
@@ -19,6 +20,8 @@ void Groups::add(Group group, const std::vector<WrenchSchedule>& schedules) {
     member_of_[group.members()[k]] = k;
   }
   known_until_.push_back(knownOrRest(group, schedules));
+  const Method* method = group.choice().method;
+  feeds_least_axis_ |= method && method->claimsTo(kFeedsLeastAxis);
   groups_.push_back(std::move(group));
 }
 
@@ -59,6 +62,7 @@ int Groups::maxSubsteps() const {
 
 double Groups::magnification() const {
   double most = removed_.magnification;
+  if (!feeds_least_axis_) return most;
   for (const Group& group : groups_) most = std::max(most, group.magnification());
   return most;
 }

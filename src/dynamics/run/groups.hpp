@@ -86,7 +86,8 @@ class Groups {
     known_until_[g] = knownOrRest(groups_[g], schedules);
   }
 
-  /// Of all groups, those too that are removed; see Simulation.
+  /// Of all groups, those too that are removed; see Simulation. The magnification is looked for
+  /// only where an integrator has claim kFeedsLeastAxis.
   int maxSubsteps() const;
   double magnification() const;
   std::int64_t evaluations() const;
@@ -107,6 +108,7 @@ class Groups {
   std::vector<double> known_until_;     // Group's, index by index
   std::vector<std::size_t> group_of_;   // body -> index in groups_; ignored for a fixed body
   std::vector<std::size_t> member_of_;  // body -> index among the members of its group; else kNone
+  bool feeds_least_axis_ = false;       // whether an integrator of any group since clear() does
   Counts removed_;
 };
 

@@ -120,6 +120,7 @@ class Run {
   std::int64_t packedSteps(std::int64_t at_most) const;
   void restartGroup(std::size_t body);
   Run goneOnTo(double t) const;
+  State present() const;
   void readGroups(std::size_t first, std::size_t end, bool backward,
                   std::vector<BodyState>& states) const;
   std::vector<BodySchedule> scheduleEntries() const;

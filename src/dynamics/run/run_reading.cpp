@@ -52,17 +52,23 @@ void Run::readGroups(std::size_t first, std::size_t end, bool backward,
   batch.finish();
 }
 
-State Run::state() const {
+/// Without what a run needs to go on with the same bits.
+State Run::present() const {
   State state;
   state.t = now_.time;
   state.changes = now_.changes;
   state.laws = now_.lawStates();
   state.actuators = motors_.states(now_.schedules);
+  readBodies(state.bodies);
+  return state;
+}
+
+State Run::state() const {
+  State state = present();
   state.schedules = scheduleEntries();
   const std::set<std::size_t>& near = grouping_.watches().near();
   state.near_laws.assign(near.begin(), near.end());
   if (!now_.laws.contacts().empty()) state.contact_bound = grouping_.planner().contactBound();
-  readBodies(state.bodies);
   state.anchors.resize(now_.world->bodies.size());
   for (std::size_t g = 0; g < now_.groups.size(); ++g) {
     const Group& group = now_.groups[g];
@@ -76,16 +82,9 @@ State Run::state() const {
 }
 
 State Run::sample(double t) const {
+  if (t <= now_.time) return present();
+  if (grouping_.mayChangeBy(t)) return goneOnTo(t).present();
   State sampled;
-  if (grouping_.mayChangeBy(t)) {
-    sampled = goneOnTo(t).state();
-    sampled.schedules.clear();
-    sampled.anchors.clear();
-    sampled.plans.clear();
-    sampled.near_laws.clear();
-    sampled.contact_bound = 0;
-    return sampled;
-  }
   sampled.t = t;
   sampled.changes = now_.changes;
   sampled.laws = now_.lawStates();
@@ -93,14 +92,9 @@ State Run::sample(double t) const {
   std::vector<WrenchSchedule> schedules;
   for (std::size_t g = 0; g < now_.groups.size(); ++g) {
     const std::vector<std::size_t>& members = now_.groups[g].members();
-    const bool is_packed = now_.packs.holds(members.front());
-    if (is_packed && t <= now_.time) {
-      sampled.bodies[members.front()] = now_.packs.state(members.front());
-      continue;
-    }
-    if (!is_packed && (t < now_.groups.knownUntil(g) || t <= now_.time)) {
+    if (!now_.packs.holds(members.front()) && t < now_.groups.knownUntil(g)) {
       for (std::size_t k = 0; k < members.size(); ++k)
-        sampled.bodies[members[k]] = now_.groups[g].at(std::max(t, now_.time), k);
+        sampled.bodies[members[k]] = now_.groups[g].at(t, k);
       continue;
     }
     if (schedules.empty()) schedules = now_.schedules;

@@ -53,9 +53,10 @@ struct RunState {
 
   /// What has been counted of all bodies since the start, in groups and in packs.
   Groups::Counts counts() const {
-    return {groups.maxSubsteps(), std::max(groups.magnification(), packs.magnification()),
-            groups.evaluations() + packs.evaluations(steps), groups.work()};
+    return {groups.maxSubsteps(), magnification(), evaluations(), groups.work()};
   }
+  double magnification() const { return std::max(groups.magnification(), packs.magnification()); }
+  std::int64_t evaluations() const { return groups.evaluations() + packs.evaluations(steps); }
 
   /// State::laws now.
   std::vector<double> lawStates() const;

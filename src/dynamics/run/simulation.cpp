@@ -249,9 +249,9 @@ std::vector<MotionPlan> Simulation::plans() const {
 }
 
 ContactTrial Simulation::contactTrial() const { return parts_->run.contactTrial(); }
-int Simulation::maxSubsteps() const { return parts_->run.now().counts().max_substeps; }
-double Simulation::magnification() const { return parts_->run.now().counts().magnification; }
-std::int64_t Simulation::evaluations() const { return parts_->run.now().counts().evaluations; }
+int Simulation::maxSubsteps() const { return parts_->run.now().groups.maxSubsteps(); }
+double Simulation::magnification() const { return parts_->run.now().magnification(); }
+std::int64_t Simulation::evaluations() const { return parts_->run.now().evaluations(); }
 
 void Simulation::trackError() { parts_->error.emplace(parts_->run); }
 

@@ -53,7 +53,7 @@ std::vector<BodyMotion> StepSampler::motions(const std::vector<std::size_t>& bod
   return ahead_->run().motions(bodies, t);
 }
 
-std::int64_t StepSampler::evaluations() const { return ahead_->run().now().counts().evaluations; }
+std::int64_t StepSampler::evaluations() const { return ahead_->run().now().evaluations(); }
 
 /// What to ask in place of the simulation; null for the first instant of a step.
 StepSampler* StatesWithin::samplerFor(const Simulation& simulation, double t) {

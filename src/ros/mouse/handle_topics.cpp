@@ -3,8 +3,8 @@
 #include <utility>
 
 #include <ros/this_node.h>
-#include <visualization_msgs/InteractiveMarkerInit.h>
-#include <visualization_msgs/InteractiveMarkerUpdate.h>
+
+#include "ros/outputs/ros_transport.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -22,8 +22,10 @@ constexpr std::chrono::milliseconds kKeepAlivePeriod(500);
 
 HandleTopics::HandleTopics(ros::NodeHandle private_nh,
                            const std::vector<InteractiveMarker>& handles, const Sink& sink)
-    : all_(private_nh.advertise<InteractiveMarkerInit>("push/update_full", kHandleQueue, kLatched)),
-      update_(private_nh.advertise<InteractiveMarkerUpdate>("push/update", kHandleQueue)) {
+    : all_(RosTransport(private_nh, kHandleQueue)
+               .open<InteractiveMarkerInit>("~push/update_full", kLatched)),
+      update_(RosTransport(private_nh, kHandleQueue)
+                  .open<InteractiveMarkerUpdate>("~push/update", !kLatched)) {
   const boost::function<void(const Feedback&)> take = [this, sink](const Feedback& feedback) {
     sink(feedback);
     if (feedback.event_type == Feedback::MOUSE_UP) putBack(feedback.marker_name);
@@ -64,7 +66,7 @@ void HandleTopics::publishChange(InteractiveMarkerUpdate update) {
   update.server_id = ros::this_node::getName();
   update.seq_num = ++changes_;
   update.type = InteractiveMarkerUpdate::UPDATE;
-  if (update_.getNumSubscribers() > 0) update_.publish(update);
+  if (update_.hasSubscribers()) update_.publish(update, ros::Time());
   publishAll();
 }
 
@@ -73,23 +75,23 @@ void HandleTopics::publishAll() {
   all.server_id = ros::this_node::getName();
   all.seq_num = changes_;
   for (const auto& [name, handle] : handles_) all.markers.push_back(handle);
-  all_.publish(all);
+  all_.publish(all, ros::Time());
 }
 
 void HandleTopics::keepAlive(Clock::time_point now) {
   if (now < next_keep_alive_) return;
   next_keep_alive_ = now + kKeepAlivePeriod;
-  if (update_.getNumSubscribers() == 0) return;
+  if (!update_.hasSubscribers()) return;
   InteractiveMarkerUpdate update;
   update.server_id = ros::this_node::getName();
   update.seq_num = changes_;
   update.type = InteractiveMarkerUpdate::KEEP_ALIVE;
-  update_.publish(update);
+  update_.publish(update, ros::Time());
 }
 
 void HandleTopics::putBack(const std::string& handle) {
   const auto known = handles_.find(handle);
-  if (known == handles_.end() || update_.getNumSubscribers() == 0) return;
+  if (known == handles_.end() || !update_.hasSubscribers()) return;
   InteractiveMarkerPose pose;
   pose.header = known->second.header;
   pose.pose = known->second.pose;

@@ -9,7 +9,10 @@
 #include <ros/node_handle.h>
 #include <visualization_msgs/InteractiveMarker.h>
 #include <visualization_msgs/InteractiveMarkerFeedback.h>
+#include <visualization_msgs/InteractiveMarkerInit.h>
 #include <visualization_msgs/InteractiveMarkerUpdate.h>
+
+#include "ros/outputs/topic.hpp"
 
 namespace rigid_body_sim {
 
@@ -49,8 +52,8 @@ class HandleTopics {
   std::map<std::string, visualization_msgs::InteractiveMarker> hidden_;
   std::uint64_t changes_ = 0;
   Clock::time_point next_keep_alive_;
-  ros::Publisher all_;
-  ros::Publisher update_;
+  Topic<visualization_msgs::InteractiveMarkerInit> all_;
+  Topic<visualization_msgs::InteractiveMarkerUpdate> update_;
   ros::Subscriber feedback_;
 };
 

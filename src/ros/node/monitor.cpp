@@ -6,6 +6,8 @@
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 
+#include "ros/outputs/ros_transport.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -20,8 +22,9 @@ Monitor::Monitor(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::stri
       simulation_(simulation),
       origin_(origin),
       last_report_(Clock::now()),
-      status_(private_nh.advertise<SimStatus>("status", kMonitorQueue)),
-      diagnostics_(nh.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", kMonitorQueue)),
+      status_(RosTransport(private_nh, kMonitorQueue).open<SimStatus>("~status", false)),
+      diagnostics_(RosTransport(nh, kMonitorQueue)
+                       .open<diagnostic_msgs::DiagnosticArray>("/diagnostics", false)),
       updater_(nh, private_nh) {
   updater_.setHardwareID("none");
   updater_.add("simulation", [this](diagnostic_updater::DiagnosticStatusWrapper& diagnostic) {
@@ -30,7 +33,7 @@ Monitor::Monitor(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::stri
 }
 
 bool Monitor::hasSubscribers() const {
-  return diagnostics_.getNumSubscribers() > 0 || status_.getNumSubscribers() > 0;
+  return diagnostics_.hasSubscribers() || status_.hasSubscribers();
 }
 
 void Monitor::track(bool wanted) {
@@ -65,9 +68,9 @@ void Monitor::report(Health health, Clock::time_point now) {
   if (elapsed.count() > 0) health.status.real_time_factor = advanced / elapsed.count();
   health.holds_tolerance = health.status.tolerance_holds;
   health_ = std::move(health);
-  status_.publish(health_.status);
+  status_.publish(health_.status, health_.status.header.stamp);
   // at the monitor's pace: the updater's own follows ROS time, which stands still while paused
-  if (diagnostics_.getNumSubscribers() > 0) updater_.force_update();
+  if (diagnostics_.hasSubscribers()) updater_.force_update();
 }
 
 void Monitor::restart(Clock::time_point now) {

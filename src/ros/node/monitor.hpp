@@ -3,11 +3,13 @@
 #include <chrono>
 #include <string>
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 
 #include "ros/messages/conversions.hpp"
 #include "ros/node/status.hpp"
+#include "ros/outputs/topic.hpp"
 
 namespace rigid_body_sim {
 
@@ -45,8 +47,9 @@ class Monitor {
   bool tracked_ = false;
   bool has_warned_ = false;  // that the tolerance is not held
   Health health_;            // of the last report
-  ros::Publisher status_;
-  ros::Publisher diagnostics_;  // the updater's topic, to know whether it has subscribers
+  Topic<SimStatus> status_;
+  Topic<diagnostic_msgs::DiagnosticArray>
+      diagnostics_;  // the updater's topic, to know whether it has subscribers
   diagnostic_updater::Updater updater_;
 };
 

@@ -220,26 +220,28 @@ bool Outputs::isWatched() {
   return asksForState() || topics_.tf.subscribers() > 0 || live_markers_.hasSubscribers();
 }
 
-/// Whether anySubscribers, which is looked up again after somebody has come or gone.
+/// Whether ~states, ~contacts, ~law_forces or a topic of a single body has subscribers, which is
+/// looked up again after somebody has come or gone.
 bool Outputs::asksForState() {
   const std::optional<std::size_t> changes =
       topics_.changes ? std::optional<std::size_t>(topics_.changes()) : std::nullopt;
-  if (!changes || changes != asked_changes_) asks_for_state_ = anySubscribers();
+  if (!changes || changes != asked_changes_) findAsked();
   asked_changes_ = changes;
   return asks_for_state_;
 }
 
-/// Of ~states, ~contacts, ~law_forces and the topics of single bodies.
-bool Outputs::anySubscribers() const {
-  return topics_.states.subscribers() > 0 || contacts_.hasSubscribers() ||
-         topics_.law_forces.hasSubscribers() ||
-         std::any_of(topics_.bodies.begin(), topics_.bodies.end(), [](const BodyTopics& topics) {
-           return topics.odometry.subscribers() > 0 || topics.acceleration.subscribers() > 0 ||
-                  topics.applied_wrench.subscribers() > 0 || topics.actuators.hasSubscribers() ||
-                  topics.pivot_force.hasSubscribers();
-         });
+void Outputs::findAsked() {
+  asked_.clear();
+  for (const BodyTopics& topics : topics_.bodies)
+    if (topics.odometry.subscribers() > 0 || topics.acceleration.subscribers() > 0 ||
+        topics.applied_wrench.subscribers() > 0 || topics.actuators.hasSubscribers() ||
+        topics.pivot_force.hasSubscribers())
+      asked_.push_back(&topics);
+  asks_for_state_ = !asked_.empty() || topics_.states.subscribers() > 0 ||
+                    contacts_.hasSubscribers() || topics_.law_forces.hasSubscribers();
 }
 
+/// What asksForState has found to be asked for.
 void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp) {
   if (topics_.states.subscribers()) {
     setStates(snapshot, stamp);
@@ -248,7 +250,8 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
   if (contacts_.hasSubscribers()) contacts_.publish(snapshot, stamp);
   if (topics_.law_forces.hasSubscribers())
     topics_.law_forces.publish(toLawForces(snapshot, messages_.worldFrame(), stamp), stamp);
-  for (const BodyTopics& topics : topics_.bodies) {
+  for (const BodyTopics* of_body : asked_) {
+    const BodyTopics& topics = *of_body;
     if (isAbsent(topics.body)) continue;
     if (topics.odometry.subscribers())
       topics.odometry.publish(messages_.odometry(topics.body, snapshot, stamp), stamp);
@@ -264,11 +267,11 @@ void Outputs::publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp
 void Outputs::publishMotions(const Snapshot& snapshot, const ros::Time& stamp) {
   std::vector<const BodyTopics*> asked;
   std::vector<std::size_t> bodies;
-  for (const BodyTopics& topics : topics_.bodies) {
-    if (isAbsent(topics.body)) continue;
-    if (!topics.acceleration.subscribers() && !topics.pivot_force.hasSubscribers()) continue;
-    asked.push_back(&topics);
-    bodies.push_back(topics.body);
+  for (const BodyTopics* topics : asked_) {
+    if (isAbsent(topics->body)) continue;
+    if (!topics->acceleration.subscribers() && !topics->pivot_force.hasSubscribers()) continue;
+    asked.push_back(topics);
+    bodies.push_back(topics->body);
   }
   if (asked.empty()) return;
   const std::vector<BodyMotion> motions = snapshot.motions(bodies);

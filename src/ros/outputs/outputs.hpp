@@ -124,7 +124,7 @@ class Outputs {
   void setStates(const Snapshot& snapshot, const ros::Time& stamp);
   double nextOfAll() const;
   bool asksForState();
-  bool anySubscribers() const;
+  void findAsked();
   Snapshot shown() const { return Snapshot(*simulation_, shownTime()); }
 
   OutputTopics topics_;
@@ -134,6 +134,7 @@ class Outputs {
   BodyMessages messages_;
   std::optional<std::size_t> asked_changes_;   // of subscribers; see asksForState
   bool asks_for_state_ = false;                // as of then
+  std::vector<const BodyTopics*> asked_;       // likewise: those with subscribers
   std::vector<std::size_t> listed_;            // bodies taken in, ascending
   std::vector<std::size_t> moving_, present_;  // those of them that move, that are not absent
   bool publish_clock_;

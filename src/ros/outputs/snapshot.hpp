@@ -17,14 +17,14 @@ class Snapshot {
   Snapshot(const Simulation& simulation, double t)
       : simulation_(simulation),
         within_step_(t > simulation.time()),
-        state_(within_step_ ? simulation.sample(t) : simulation.state()) {}
+        state_(simulation.sample(within_step_ ? t : simulation.time())) {}
 
   /// The same by states within that step, each of which goes on from the one before.
   Snapshot(const Simulation& simulation, StatesWithin& within, double t)
       : simulation_(simulation),
         within_(&within),
         within_step_(t > simulation.time()),
-        state_(within_step_ ? within.at(simulation, t) : simulation.state()) {}
+        state_(within_step_ ? within.at(simulation, t) : simulation.sample(simulation.time())) {}
 
   double time() const { return state_.t; }
 

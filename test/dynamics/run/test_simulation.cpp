@@ -39,6 +39,21 @@ TEST(Simulation, SamplesBetweenStepsWithoutDisturbingTheRun) {
   }
 }
 
+// What a run would go on from is not put together where nobody asks for it.
+TEST(Simulation, SamplesThePresentWithItsBitsAndNoMore) {
+  for (const char* integrator : {"auto", "strang", "rk4"}) {
+    Simulation sim = test::pushedBox(kWorld, 0).simulation(integrator, 0.01);
+    for (int i = 0; i < 5; ++i) sim.step();
+    const State now = sim.state(), sampled = sim.sample(sim.time());
+    EXPECT_EQ(sampled.t, now.t);
+    EXPECT_EQ(sampled.bodies[0].x_W, now.bodies[0].x_W) << integrator;
+    EXPECT_EQ(sampled.bodies[0].L_P, now.bodies[0].L_P) << integrator;
+    EXPECT_EQ(sampled.bodies[0].q_WP.coeffs(), now.bodies[0].q_WP.coeffs()) << integrator;
+    EXPECT_FALSE(now.plans.empty() || now.anchors.empty() || now.schedules.empty());
+    EXPECT_TRUE(sampled.plans.empty() && sampled.anchors.empty() && sampled.schedules.empty());
+  }
+}
+
 TEST(SimulationDiverged, TellsItsTimeInTheFewestDigits) {
   EXPECT_STREQ(SimulationDiverged(1.11, "box", "it spins too fast").what(),
                "t = 1.11 s: body 'box': it spins too fast");

@@ -5,7 +5,11 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
 #include "node_driver.hpp"
+#include "ros/mouse/handle_topics.hpp"
+#include "ros/node/monitor.hpp"
 #include "ros/outputs/ros_transport.hpp"
 
 namespace rigid_body_sim {
@@ -17,6 +21,7 @@ using Message = geometry_msgs::Vector3;
 struct Transport : ::testing::Test {
   Transport() {
     nh.setCallbackQueue(&queue);
+    private_nh.setCallbackQueue(&queue);
     topic = RosTransport(nh).open<Message>("topic", false);
   }
 
@@ -32,9 +37,22 @@ struct Transport : ::testing::Test {
 
   ros::CallbackQueue queue;
   ros::NodeHandle nh;
+  ros::NodeHandle private_nh{"~"};
   Topic<Message> topic;
   std::vector<double> received;
 };
+
+/// Connected, and not reported to the queue of the publisher yet.
+template <class Message>
+ros::Subscriber connectedTo(const std::string& topic, std::vector<Message>& received) {
+  ros::NodeHandle nh("~");
+  const boost::function<void(const Message&)> receive = [&received](const Message& message) {
+    received.push_back(message);
+  };
+  const ros::Subscriber subscriber = nh.subscribe<Message>(topic, 10, receive);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return subscriber.getNumPublishers() == 1; }));
+  return subscriber;
+}
 
 }  // namespace
 
@@ -67,6 +85,42 @@ TEST_F(Transport, NewSubscribersAreGreetedOnce) {
   topic.publish(next, ros::Time());
   EXPECT_TRUE(NodeDriver::waitFor([this] { return received.size() == 2; }));
   EXPECT_EQ(received, (std::vector<double>{7, 8}));
+}
+
+// Neither do those ask roscpp that look for listeners once a second or more often: what they would
+// send before the queue is served is not sent.
+TEST_F(Transport, HandlesAreKeptAliveOnceTheQueueReportsAViewer) {
+  using visualization_msgs::InteractiveMarkerUpdate;
+  HandleTopics handles(private_nh, {}, [](const HandleTopics::Feedback&) {});
+  std::vector<InteractiveMarkerUpdate> updates;
+  const ros::Subscriber viewer = connectedTo("push/update", updates);
+  HandleTopics::Clock::time_point now = HandleTopics::Clock::now();
+  handles.keepAlive(now);
+  queue.callAvailable();
+  handles.add({});
+  handles.keepAlive(now += std::chrono::seconds(1));
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return updates.size() == 2; }));
+  EXPECT_EQ(updates[0].type, InteractiveMarkerUpdate::UPDATE);
+  EXPECT_EQ(updates[1].type, InteractiveMarkerUpdate::KEEP_ALIVE);
+}
+
+TEST_F(Transport, StatusIsReportedOnceTheQueueReportsAListener) {
+  Simulation simulation{World(), State()};
+  const TimeOrigin origin;
+  Monitor monitor(nh, private_nh, "world", simulation, origin);
+  std::vector<SimStatus> reports;
+  const ros::Subscriber listener = connectedTo("status", reports);
+  Health health;
+  for (const unsigned overruns : {1U, 2U}) {
+    health.status.overruns = overruns;
+    monitor.report(health, Monitor::Clock::now());
+    queue.callAvailable();
+  }
+  health.status.overruns = 3;
+  monitor.report(health, Monitor::Clock::now());
+  ASSERT_TRUE(NodeDriver::waitFor([&] { return reports.size() == 2; }));
+  EXPECT_EQ(reports[0].overruns, 2U);
+  EXPECT_EQ(reports[1].overruns, 3U);
 }
 
 }  // namespace rigid_body_sim
