@@ -136,8 +136,10 @@ TEST_F(StateRequests, RefuseBodiesAndAxesThatAreNotKnown) {
   EXPECT_EQ(fault(r), "unknown body 'bxo'");
   r.body = "post";
   EXPECT_EQ(fault(r), "body 'post' is fixed");
-  EXPECT_EQ(fault(request("")), "frame must be 'map' or 'box', got ''");
-  EXPECT_EQ(fault(request("other")), "frame must be 'map' or 'box', got 'other'");
+  const std::string refusal =
+      "frame must be that of the world, 'map' or 'world', or of the body, 'box' or 'body', got ";
+  EXPECT_EQ(fault(request("")), refusal + "''");
+  EXPECT_EQ(fault(request("other")), refusal + "'other'");
   EXPECT_THROW(report(initialState(scene, world), "other"), std::invalid_argument);
 }
 
@@ -147,6 +149,19 @@ TEST_F(StateRequests, TakeTheWordsOfASceneForTheAxesToo) {
   const State state = initialState(scene, world);
   EXPECT_EQ(report(state, "world").twist, report(state, "map").twist);
   EXPECT_EQ(report(state, "body").twist, report(state, "box").twist);
+}
+
+// A client that takes child_frame_id from odometry, or a name from tf, need not know the prefix.
+TEST_F(StateRequests, TakeTheFrameOnTfForTheAxesOfTheBody) {
+  const std::vector<std::string> frames = {"two/box", "two/post"};
+  const State state = initialState(scene, world);
+  GetState::Request asked;
+  asked.body = "box";
+  asked.frame = "two/box";
+  EXPECT_EQ(reportState(asked, world, state, "map", frames).twist, report(state, "box").twist);
+  EXPECT_EQ(takeState(request("two/box"), world, "map", frames).motion.v_W,
+            taken(request("box")).motion.v_W);
+  EXPECT_THROW(takeState(request("two/post"), world, "map", frames), std::invalid_argument);
 }
 
 TEST_F(StateRequests, RefuseAWordThatIsTheNameOfAnotherBody) {

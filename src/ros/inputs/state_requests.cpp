@@ -17,15 +17,19 @@ namespace {
 
 /// Whether the twist is in the axes of the body; else it is in the world's. Names come before the
 /// words `world` and `body`, which a body may have as its name, too.
-bool isInBodyAxes(const std::string& frame, const std::string& body, const World& world,
-                  const std::string& world_frame) {
+bool isInBodyAxes(const std::string& frame, std::size_t i, const World& world,
+                  const std::string& world_frame, const std::vector<std::string>& body_frames) {
+  const std::string& body = world.bodies[i].name;
   if (frame == body) return true;
   if (frame == world_frame) return false;
   const bool names_another = std::any_of(world.bodies.begin(), world.bodies.end(),
                                          [&](const Body& other) { return other.name == frame; });
-  if (!names_another && frame == "body") return true;
-  if (!names_another && frame == "world") return false;
-  throw std::invalid_argument("frame must be '" + world_frame + "' or '" + body + "', got '" +
+  if (!names_another) {
+    if (frame == "body" || (i < body_frames.size() && frame == body_frames[i])) return true;
+    if (frame == "world") return false;
+  }
+  throw std::invalid_argument("frame must be that of the world, '" + world_frame +
+                              "' or 'world', or of the body, '" + body + "' or 'body', got '" +
                               printable(frame) + "'");
 }
 
@@ -53,11 +57,12 @@ bool isFinite(const BodyState& s) {
 }  // namespace
 
 StateInput takeState(const SetState::Request& request, const World& world,
-                     const std::string& world_frame) {
+                     const std::string& world_frame, const std::vector<std::string>& body_frames) {
   StateInput input;
   input.body = bodyNamed(request.body, world.bodies);
   const Body& body = world.bodies[input.body];
-  const bool in_body_axes = isInBodyAxes(request.frame, request.body, world, world_frame);
+  const bool in_body_axes =
+      isInBodyAxes(request.frame, input.body, world, world_frame, body_frames);
   BodyFrameMotion& motion = input.motion;
   motion.x_W = fromPoint(request.pose.position);
   motion.v_W = fromVector3(request.twist.linear);
@@ -77,9 +82,10 @@ StateInput takeState(const SetState::Request& request, const World& world,
 }
 
 GetState::Response reportState(const GetState::Request& request, const World& world,
-                               const State& state, const std::string& world_frame) {
+                               const State& state, const std::string& world_frame,
+                               const std::vector<std::string>& body_frames) {
   const std::size_t i = bodyNamed(request.body, world.bodies);
-  const bool in_body_axes = isInBodyAxes(request.frame, request.body, world, world_frame);
+  const bool in_body_axes = isInBodyAxes(request.frame, i, world, world_frame, body_frames);
   const Body& body = world.bodies[i];
   if (body.absent) throw std::invalid_argument("body '" + request.body + "' is absent");
   const BodyFrameMotion motion = toBodyFrameMotion(body, state.bodies[i]);

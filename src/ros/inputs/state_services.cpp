@@ -5,8 +5,10 @@
 namespace rigid_body_sim {
 
 StateServices::StateServices(ros::NodeHandle private_nh, const std::string& world_frame,
+                             const std::vector<std::string>& body_frames,
                              const Simulation& simulation, Inputs& inputs)
     : world_frame_(world_frame),
+      body_frames_(body_frames),
       simulation_(simulation),
       inputs_(inputs),
       set_(private_nh.advertiseService("set_state", &StateServices::set, this)),
@@ -14,7 +16,7 @@ StateServices::StateServices(ros::NodeHandle private_nh, const std::string& worl
 
 bool StateServices::set(SetState::Request& request, SetState::Response& response) {
   try {
-    inputs_.apply(takeState(request, simulation_.world(), world_frame_));
+    inputs_.apply(takeState(request, simulation_.world(), world_frame_, body_frames_));
     response.success = true;
   } catch (const std::invalid_argument& refused) {
     response.message = refused.what();
@@ -24,7 +26,8 @@ bool StateServices::set(SetState::Request& request, SetState::Response& response
 
 bool StateServices::get(GetState::Request& request, GetState::Response& response) {
   try {
-    response = reportState(request, simulation_.world(), simulation_.state(), world_frame_);
+    response =
+        reportState(request, simulation_.world(), simulation_.state(), world_frame_, body_frames_);
   } catch (const std::invalid_argument& refused) {
     response.message = refused.what();
   }

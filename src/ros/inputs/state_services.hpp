@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <ros/node_handle.h>
 
@@ -12,15 +13,17 @@ namespace rigid_body_sim {
 /// The services ~set_state and ~get_state.
 class StateServices {
  public:
-  /// Simulation and inputs are referred to, not copied.
+  /// body_frames: on tf. Simulation and inputs are referred to, not copied.
   StateServices(ros::NodeHandle private_nh, const std::string& world_frame,
-                const Simulation& simulation, Inputs& inputs);
+                const std::vector<std::string>& body_frames, const Simulation& simulation,
+                Inputs& inputs);
 
  private:
   bool set(SetState::Request& request, SetState::Response& response);
   bool get(GetState::Request& request, GetState::Response& response);
 
   std::string world_frame_;
+  std::vector<std::string> body_frames_;
   const Simulation& simulation_;
   Inputs& inputs_;
   ros::ServiceServer set_;
