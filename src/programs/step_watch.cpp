@@ -16,7 +16,8 @@ StepWatch::StepWatch(std::function<void(const std::string&)> say, double patienc
 
 std::string StepWatch::step(double t) {
   if (t == kBeforeTheRun)
-    return "led to the first step: files are large, or integrators are tried on a fast motion";
+    return "led to the first step: files are large, integrators are tried on a fast motion, or the "
+           "processor is busy";
   return "ended the step from t = " + shortest(t) +
          " s: something is far faster than the time_step; if it cannot be followed, a line will "
          "say what";

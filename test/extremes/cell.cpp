@@ -118,7 +118,7 @@ Cell measure(Cell cell, const test::Bench& bench, const Run& run, const Ends& tr
   try {
     Simulation simulation = bench.simulation(cell.integrator, run.time_step);
     for (const MotionPlan& plan : simulation.plans())
-      if (!plan.holds) cell.warned = "no integrator holds the scene's tolerance";
+      if (!plan.holds) cell.warned = "no integrator was found to hold the scene's tolerance";
     for (int i = 0; i < run.steps; ++i) simulation.step();
     compare(bench, simulation.state(), truth, cell);
   } catch (const SimulationDiverged& stopped) {

@@ -27,8 +27,8 @@ TEST(StepWatch, SaysWhichStepDoesNotEnd) {
 
 TEST(StepWatch, SaysThatTheRunHasNotBegun) {
   EXPECT_EQ(saidOf(StepWatch::kBeforeTheRun),
-            "0.01 s of computing have not led to the first step: files are large, or integrators "
-            "are tried on a fast motion");
+            "0.01 s of computing have not led to the first step: files are large, integrators are "
+            "tried on a fast motion, or the processor is busy");
 }
 
 }  // namespace rigid_body_sim

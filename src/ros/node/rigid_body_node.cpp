@@ -46,6 +46,7 @@ and tf.
   _odometry_covariance:=X  diagonal of both covariances in odometry, or a list of six numbers;
                            default 0: exact
   _reset_time:=BOOL        ~reset sets time back, too; needs publish_clock; default false
+  _diagnostic_period:=S    of diagnostic_updater, in ROS time; default 1
   --help                   this text
 
 Needs a ROS master. Topics and services: doc/node.md of the package.

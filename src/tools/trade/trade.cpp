@@ -40,9 +40,13 @@ struct Progress {
 
   static std::string what(double share) {
     if (share == 0)
-      return "led to a reference that settings can be measured against: the motion is fast";
-    return formatted("measured more than some %.0f %% of the settings: the motion is fast",
-                     100 * share);
+      return "led to a reference that settings can be measured against: the motion is fast, or the "
+             "processor "
+             "is busy";
+    return formatted(
+        "measured more than some %.0f %% of the settings: the motion is fast, or the processor is "
+        "busy",
+        100 * share);
   }
 
   ProgressBar bar{};
