@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,15 @@ struct Pull {
   Array3 torque_W{};  ///< [N m]
 };
 
-/// One body under gravity, a constant force, and pulls.
+/// Without damping, from a point of the world to one of the body.
+struct SpringToWorld {
+  Array3 anchor_W{};       ///< [m]
+  Array3 arm_P{};          ///< [m] seen from the centre of mass
+  double stiffness = 0;    ///< [N/m]
+  double rest_length = 0;  ///< [m]
+};
+
+/// One body under gravity, a constant force, a spring, and pulls.
 struct Problem {
   const char* name;
   double mass;  ///< [kg]
@@ -42,6 +52,8 @@ struct Problem {
 
   /// What else acts, asked for in each step, or at every stage where an engine can. Mostly nothing.
   std::function<std::vector<Pull>(const Motion&)> pulls{};
+
+  std::optional<SpringToWorld> spring{};
 
   bool isPushed() const { return force_W != Array3{}; }
 };
@@ -61,6 +73,16 @@ inline Array3 inWorldAxes(const Quaternion4& q, const Array3& v) {
 /// The way back.
 inline Array3 inBodyAxes(const Quaternion4& q, const Array3& v) {
   return inWorldAxes({-q[0], -q[1], -q[2], q[3]}, v);
+}
+
+/// What a spring does to a body, as a user of an engine without such a spring writes it.
+inline Pull pullOf(const SpringToWorld& spring, const Motion& m) {
+  Array3 along = inWorldAxes(m.q, spring.arm_P);
+  for (std::size_t i = 0; i < 3; ++i) along[i] += m.x_W[i] - spring.anchor_W[i];
+  const double length = std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+  const double per_length = spring.stiffness * (spring.rest_length / length - 1);
+  for (double& component : along) component *= per_length;
+  return {along, spring.arm_P};
 }
 
 /// A run: what it took and where it ended.

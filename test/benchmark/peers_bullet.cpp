@@ -59,9 +59,7 @@ class RigidBodyWorld {
   RigidBodyWorld& operator=(const RigidBodyWorld&) = delete;
 
   void step() {
-    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
-    if (problem_.pulls)
-      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
+    pullForStep(problem_, *this, [&](const Pull& pull) { apply(pull); });
     world_.stepSimulation(h_, 0);
   }
 
@@ -109,9 +107,7 @@ class MultiBodyWorld {
   MultiBodyWorld& operator=(const MultiBodyWorld&) = delete;
 
   void step() {
-    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
-    if (problem_.pulls)
-      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
+    pullForStep(problem_, *this, [&](const Pull& pull) { apply(pull); });
     world_.stepSimulation(h_, 0);
   }
 

@@ -38,9 +38,7 @@ class DartWorld {
   }
 
   void step() {
-    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
-    if (problem_.pulls)
-      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
+    pullForStep(problem_, *this, [&](const Pull& pull) { apply(pull); });
     world_->step();
   }
 

@@ -33,6 +33,17 @@ Run timedRun(const std::string& setting, const Make& make, const Execute& execut
   return run;
 }
 
+/// Hands over, one by one, what pulls at a body for the next step.
+template <class World, class Apply>
+void pullForStep(const Problem& problem, const World& world, const Apply& apply) {
+  if (problem.isPushed()) apply({problem.force_W, problem.arm_P});
+  if (!problem.spring && !problem.pulls) return;
+  const Motion motion = world.motion();
+  if (problem.spring) apply(pullOf(*problem.spring, motion));
+  if (problem.pulls)
+    for (const Pull& pull : problem.pulls(motion)) apply(pull);
+}
+
 /// Where a world is after so many steps.
 template <class World>
 Motion endOf(World&& world, int steps) {

@@ -54,6 +54,10 @@ class SimbodyWorld {
     if (g.norm() > 0) SimTK::Force::UniformGravity(forces_, matter_, g);
     if (problem.isPushed())
       SimTK::Force::ConstantForce(forces_, body_, vector(problem.arm_P), vector(problem.force_W));
+    if (const auto& spring = problem.spring)
+      SimTK::Force::TwoPointLinearSpring(forces_, matter_.Ground(), vector(spring->anchor_W), body_,
+                                         vector(spring->arm_P), spring->stiffness,
+                                         spring->rest_length);
     if (problem.pulls) SimTK::Force::Custom(forces_, new PullForce(problem, body_));  // taken over
     start_ = system_.realizeTopology();
     const Motion& start = problem.start;
