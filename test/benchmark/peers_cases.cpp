@@ -1,5 +1,7 @@
 #include "benchmark/peers_cases.hpp"
 
+#include <cmath>
+
 #include "benchmark/peers_ours.hpp"
 #include "benchmark/peers_truth.hpp"
 
@@ -39,10 +41,30 @@ Problem caseD() {
   return p;
 }
 
+/// A free body with three wheels, whose torques change at once, every π/6.5 s.
+Problem turnedByWheels(const char* name, const Array3& I, const Array3& w_P, double torque) {
+  Problem p{name, 10, I, {}};
+  p.start.w_P = w_P;
+  p.duration = 10;
+  p.wheels = ReactionWheels{0.5, 0.01};
+  constexpr double kWait = 0.48332194670611;  // [s] no multiple of a step
+  for (int n = 0; n * kWait < p.duration; ++n)
+    p.wheels->commands.push_back(
+        {n * kWait,
+         {torque * std::sin(1.7 * n), torque * std::cos(2.3 * n), torque * std::sin(3.1 * n + 1)}});
+  p.truth = truthApart(p);
+  return p;
+}
+
+Problem caseE() { return turnedByWheels("E", {0.4, 0.5, 0.6}, {0.3, -0.2, 0.1}, 0.2); }
+
+Problem caseF() { return turnedByWheels("F", {1, 2, 2.5}, {0.5, 2, 0.3}, 0.5); }
+
 }  // namespace
 
 const std::vector<Case>& cases() {
-  static const std::vector<Case> all{{"A", caseA}, {"B", caseB}, {"C", caseC}, {"D", caseD}};
+  static const std::vector<Case> all{{"A", caseA}, {"B", caseB}, {"C", caseC},
+                                     {"D", caseD}, {"E", caseE}, {"F", caseF}};
   return all;
 }
 

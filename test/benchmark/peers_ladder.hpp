@@ -44,6 +44,31 @@ void pullForStep(const Problem& problem, const World& world, const Apply& apply)
     for (const Pull& pull : problem.pulls(motion)) apply(pull);
 }
 
+/// The torques of wheels, step by step.
+class WheelDrive {
+ public:
+  explicit WheelDrive(const ReactionWheels& wheels) : wheels_(wheels) {}
+
+  /// [N m] The mean over the next step, of h.
+  Array3 next(double h) {
+    constexpr double kForever = std::numeric_limits<double>::infinity();
+    Array3 mean{};
+    for (const double end = time_ + h; time_ < end;) {
+      const double until = std::min(end, wheels_.endOf(command_, kForever));
+      for (std::size_t i = 0; i < 3; ++i)
+        mean[i] += (until - time_) / h * wheels_.commands[command_].torque_P[i];
+      time_ = until;
+      if (until < end) ++command_;
+    }
+    return mean;
+  }
+
+ private:
+  const ReactionWheels& wheels_;
+  double time_ = 0;
+  std::size_t command_ = 0;
+};
+
 /// Where a world is after so many steps.
 template <class World>
 Motion endOf(World&& world, int steps) {

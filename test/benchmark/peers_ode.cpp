@@ -58,9 +58,10 @@ class OdeWorld {
         h_(h),
         step_(stepper),
         world_(dWorldCreate()),
-        body_(addBody(problem, world_)) {
+        body_(addBody(hubOf(problem), world_)) {
     const auto& g = problem.g_W;
     dWorldSetGravity(world_, g[0], g[1], g[2]);
+    if (problem_.wheels) addWheels(*problem_.wheels);
     if (spring_as == SpringAs::kForce) return;
     addSpringJoint(*problem.spring, h, world_, body_);
     problem_.spring.reset();
@@ -71,6 +72,7 @@ class OdeWorld {
 
   void step() {
     pullForStep(problem_, *this, [&](const Pull& pull) { apply(pull); });
+    if (drive_) turnWheels(drive_->next(h_));
     step_(world_, h_);
   }
 
@@ -88,11 +90,32 @@ class OdeWorld {
     dBodyAddTorque(body_, tau[0], tau[1], tau[2]);
   }
 
+  /// On hinges; what turns a wheel turns the body back.
+  void addWheels(const ReactionWheels& wheels) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Problem wheel{"", wheels.mass, wheelMoments(wheels, k), problem_.start};
+      hinges_[k] = dJointCreateHinge(world_, nullptr);
+      dJointAttach(hinges_[k], addBody(wheel, world_), body_);
+      Array3 axis_P{};
+      axis_P[k] = 1;
+      const auto &x = problem_.start.x_W, axis = inWorldAxes(problem_.start.q, axis_P);
+      dJointSetHingeAnchor(hinges_[k], x[0], x[1], x[2]);
+      dJointSetHingeAxis(hinges_[k], axis[0], axis[1], axis[2]);
+    }
+    drive_.emplace(wheels);
+  }
+
+  void turnWheels(const Array3& torque_P) {
+    for (std::size_t k = 0; k < 3; ++k) dJointAddHingeTorque(hinges_[k], torque_P[k]);
+  }
+
   Problem problem_;  // without what a joint does
   double h_;
   Step step_;
   dWorldID world_;
   dBodyID body_;
+  std::array<dJointID, 3> hinges_{};
+  std::optional<WheelDrive> drive_;
 };
 
 std::vector<Run> odeRuns(const Problem& problem) {

@@ -23,10 +23,12 @@ State stateOf(const Motion& m) {
   return s;
 }
 
-Quaternion4 attitudeOf(const State& s) {
-  const double norm = std::sqrt(s[6] * s[6] + s[7] * s[7] + s[8] * s[8] + s[9] * s[9]);
-  return {s[6] / norm, s[7] / norm, s[8] / norm, s[9] / norm};
+Quaternion4 unit(const Quaternion4& q) {
+  const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  return {q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm};
 }
+
+Quaternion4 attitudeOf(const State& s) { return unit({s[6], s[7], s[8], s[9]}); }
 
 Motion motionOf(const State& s) {
   return {{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, attitudeOf(s), {s[10], s[11], s[12]}};
@@ -100,6 +102,10 @@ struct RightHandSide {
     for (std::size_t i = 0; i < 3; ++i) d[10 + i] += tau_P[i] / p.I[i];
   }
 };
+
+using WheelState = std::array<double, 10>;  // q (x y z w), ω, momenta of the wheels
+
+Quaternion4 attitudeOf(const WheelState& s) { return unit({s[0], s[1], s[2], s[3]}); }
 
 /// From one change of the right-hand side to the next.
 template <class System>
@@ -182,7 +188,41 @@ std::vector<Run> runsUnder(const Problem& problem) {
                   Stretches<System>{{0, problem.duration, System{problem}}});
 }
 
+/// A free body with wheels: L = I_r ω + h, I_r = I − J.
+struct WheelsTurn {
+  Array3 I_r;
+  Array3 torque_P;
+
+  void operator()(const WheelState& s, WheelState& d, double) const {
+    const auto [x, y, z, w, a, b, c, ha, hb, hc] = s;
+    const double La = I_r[0] * a + ha, Lb = I_r[1] * b + hb, Lc = I_r[2] * c + hc;
+    d[0] = 0.5 * (w * a + y * c - z * b);
+    d[1] = 0.5 * (w * b + z * a - x * c);
+    d[2] = 0.5 * (w * c + x * b - y * a);
+    d[3] = -0.5 * (x * a + y * b + z * c);
+    d[4] = (c * Lb - b * Lc - torque_P[0]) / I_r[0];
+    d[5] = (a * Lc - c * La - torque_P[1]) / I_r[1];
+    d[6] = (b * La - a * Lb - torque_P[2]) / I_r[2];
+    for (std::size_t i = 0; i < 3; ++i) d[7 + i] = torque_P[i];
+  }
+};
+
+std::vector<Run> wheelRuns(const Problem& problem, const ReactionWheels& wheels) {
+  const Quaternion4& q = problem.start.q;
+  const Array3& w = problem.start.w_P;
+  const double J = wheels.inertia;
+  const WheelState start{q[0], q[1], q[2], q[3], w[0], w[1], w[2], J * w[0], J * w[1], J * w[2]};
+  const Array3 I_r{problem.I[0] - J, problem.I[1] - J, problem.I[2] - J};
+  Stretches<WheelsTurn> stretches;
+  for (std::size_t i = 0; i < wheels.commands.size(); ++i)
+    stretches.push_back({wheels.commands[i].start,
+                         wheels.endOf(i, problem.duration),
+                         {I_r, wheels.commands[i].torque_P}});
+  return runsFrom(start, stretches);
+}
+
 std::vector<Run> odeintRuns(const Problem& problem) {
+  if (problem.wheels) return wheelRuns(problem, *problem.wheels);
   return problem.spring ? runsUnder<RightHandSide<Load::kSpring>>(problem)
                         : runsUnder<RightHandSide<Load::kHeld>>(problem);
 }

@@ -13,9 +13,26 @@ namespace {
 
 Vector3d vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
+/// About the axes x, y, z.
+std::vector<Actuator> actuatorsOf(const ReactionWheels& wheels) {
+  std::vector<Actuator> actuators;
+  for (const Eigen::Index k : {0, 1, 2})
+    actuators.push_back({std::string(1, "xyz"[k]), Wheel{Vector3d::Unit(k), wheels.inertia, 0}});
+  return actuators;
+}
+
+std::vector<ActuatorCommand> commandsOf(const ReactionWheels& wheels) {
+  std::vector<ActuatorCommand> commands;
+  for (const ReactionWheels::Command& command : wheels.commands)
+    for (std::size_t k = 0; k < 3; ++k)
+      commands.push_back({0, k, command.torque_P[k], command.start});
+  return commands;
+}
+
 Body bodyOf(const Problem& p) {
   const Vector3d I = vector(p.I);
-  return makeBody(p.name, {p.mass, Vector3d::Zero(), I.asDiagonal()});
+  return makeBody(p.name, {p.mass, Vector3d::Zero(), I.asDiagonal()},
+                  p.wheels ? actuatorsOf(*p.wheels) : std::vector<Actuator>());
 }
 
 /// The problem's axes need not ascend; P is the body's own sorted frame.
@@ -51,6 +68,7 @@ World worldOf(const Problem& p, const std::string& integrator, double time_step)
   world.bodies = {bodyOf(p)};
   world.g_W = vector(p.g_W);
   if (p.isPushed()) world.wrenches = {pushOf(p, world.bodies[0])};
+  if (p.wheels) world.commands = commandsOf(*p.wheels);
   if (p.spring) world.laws = {lawOf(*p.spring, world.bodies[0])};
   world.solver.integrator = integrator;
   world.solver.time_step = time_step;
@@ -95,10 +113,18 @@ Run ourRun(const Problem& p, const std::string& setting, const World& world) {
   return run;
 }
 
-/// In one step, as the error does not depend on it: to rounding, and over a ladder of tolerances.
-std::vector<Run> autoRuns(const Problem& p) {
+/// In one step, as the error does not depend on it.
+World autoWorld(const Problem& p) {
   World world = worldOf(p, "auto", p.duration);
   world.solver.horizon = p.duration;
+  world.solver.tolerance_stated = true;
+  return world;
+}
+
+/// To rounding, and over a ladder of tolerances.
+std::vector<Run> autoRuns(const Problem& p) {
+  World world = autoWorld(p);
+  world.solver.tolerance_stated = false;
   std::vector<Run> runs{ourRun(p, "auto", world)};
   world.solver.tolerance_stated = true;
   for (double tolerance = 1e-12; tolerance < 1; tolerance *= 1.2) {
@@ -139,6 +165,16 @@ std::vector<Contender> ourRuns(const Problem& problem) {
       continue;  // it does not support what acts
     }
   return ours;
+}
+
+double timeToChoose(const Problem& problem) {
+  constexpr double kBudget = 0.1;  // [s]
+  World world = autoWorld(problem);
+  world.solver.tolerance = 1e-6;
+  State initial;
+  initial.bodies = {startOf(problem, world.bodies[0])};
+  return leastCpuTime(
+      0, [&](int) { Simulation(world, initial); }, kBudget);
 }
 
 double ourCrowd(const std::vector<Problem>& bodies, const std::string& integrator, double h,
