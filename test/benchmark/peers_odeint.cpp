@@ -122,7 +122,7 @@ Run timed(const std::string& setting, const Start& start, const Integrate& integ
   constexpr double kBudget = 0.01;  // [s]
   Run run;
   run.setting = setting;
-  run.seconds = leastCpuTime(
+  run.seconds = undisturbedCpuTime(
       start,
       [&](Start& s) {
         integrate(s);

@@ -101,7 +101,7 @@ Run ourRun(const Problem& p, const std::string& setting, const World& world) {
   initial.bodies = {startOf(p, world.bodies[0])};
   Run run;
   run.setting = setting;
-  run.seconds = leastCpuTime(
+  run.seconds = undisturbedCpuTime(
       Simulation(world, initial),
       [&](Simulation& simulation) {
         // half a step beyond any rounding of the count
@@ -173,7 +173,7 @@ double timeToChoose(const Problem& problem) {
   world.solver.tolerance = 1e-6;
   State initial;
   initial.bodies = {startOf(problem, world.bodies[0])};
-  return leastCpuTime(
+  return undisturbedCpuTime(
       0, [&](int) { Simulation(world, initial); }, kBudget);
 }
 
