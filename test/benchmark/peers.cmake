@@ -2,7 +2,8 @@
 # bodies in one world; extremes_engines: they in the cells of the map of the extremes. None of them is a dependency of the package; Debian's packages:
 # libboost-dev libbullet-dev libode-dev libdart-dev libsimbody-dev.
 rigid_body_sim_benchmark(benchmark_peers
-  SOURCES test/benchmark/peers.cpp test/benchmark/peers_engines.cpp test/benchmark/peers_ours.cpp
+  SOURCES test/benchmark/peers.cpp test/benchmark/peers_cases.cpp test/benchmark/peers_engines.cpp
+          test/benchmark/peers_ours.cpp test/benchmark/peers_truth.cpp
   LIBRARIES rigid_body_sim_core)
 rigid_body_sim_benchmark(extremes_engines
   SOURCES test/benchmark/peers_engines.cpp test/extremes/apart.cpp test/extremes/engines.cpp

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,31 @@ struct Pull {
   Array3 torque_W{};  ///< [N m]
 };
 
-/// One body under gravity, a constant force, and pulls.
+/// Without damping, from a point of the world to one of the body.
+struct SpringToWorld {
+  Array3 anchor_W{};       ///< [m]
+  Array3 arm_P{};          ///< [m] seen from the centre of mass
+  double stiffness = 0;    ///< [N/m]
+  double rest_length = 0;  ///< [m]
+};
+
+/// Wheels about the three principal axes, discs of no thickness whose centres are the centre of
+/// mass; mass and moments of the body are with them. They stand still in it at the start.
+struct ReactionWheels {
+  struct Command {
+    double start = 0;   ///< [s]
+    Array3 torque_P{};  ///< [N m] of the motors on the wheels, until the next command
+  };
+  double mass = 0;                  ///< [kg] of each
+  double inertia = 0;               ///< [kg m²] of each about its axis; half of it across
+  std::vector<Command> commands{};  ///< by their starts, the first at 0
+
+  double endOf(std::size_t command, double duration) const {
+    return command + 1 < commands.size() ? commands[command + 1].start : duration;
+  }
+};
+
+/// One body under gravity, a constant force, a spring, and pulls; or free, with wheels.
 struct Problem {
   const char* name;
   double mass;  ///< [kg]
@@ -42,6 +68,9 @@ struct Problem {
 
   /// What else acts, asked for in each step, or at every stage where an engine can. Mostly nothing.
   std::function<std::vector<Pull>(const Motion&)> pulls{};
+
+  std::optional<SpringToWorld> spring{};
+  std::optional<ReactionWheels> wheels{};
 
   bool isPushed() const { return force_W != Array3{}; }
 };
@@ -61,6 +90,31 @@ inline Array3 inWorldAxes(const Quaternion4& q, const Array3& v) {
 /// The way back.
 inline Array3 inBodyAxes(const Quaternion4& q, const Array3& v) {
   return inWorldAxes({-q[0], -q[1], -q[2], q[3]}, v);
+}
+
+/// The body without its wheels; of other problems, the body.
+inline Problem hubOf(Problem problem) {
+  if (!problem.wheels) return problem;
+  problem.mass -= 3 * problem.wheels->mass;
+  for (double& moment : problem.I) moment -= 2 * problem.wheels->inertia;  // J + J/2 + J/2
+  return problem;
+}
+
+/// [kg m²] of the wheel about this axis.
+inline Array3 wheelMoments(const ReactionWheels& wheels, std::size_t axis) {
+  Array3 moments{wheels.inertia / 2, wheels.inertia / 2, wheels.inertia / 2};
+  moments[axis] = wheels.inertia;
+  return moments;
+}
+
+/// What a spring does to a body, as a user of an engine without such a spring writes it.
+inline Pull pullOf(const SpringToWorld& spring, const Motion& m) {
+  Array3 along = inWorldAxes(m.q, spring.arm_P);
+  for (std::size_t i = 0; i < 3; ++i) along[i] += m.x_W[i] - spring.anchor_W[i];
+  const double length = std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+  const double per_length = spring.stiffness * (spring.rest_length / length - 1);
+  for (double& component : along) component *= per_length;
+  return {along, spring.arm_P};
 }
 
 /// A run: what it took and where it ended.

@@ -59,9 +59,7 @@ class RigidBodyWorld {
   RigidBodyWorld& operator=(const RigidBodyWorld&) = delete;
 
   void step() {
-    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
-    if (problem_.pulls)
-      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
+    pullForStep(problem_, *this, [&](const Pull& pull) { apply(pull); });
     world_.stepSimulation(h_, 0);
   }
 
@@ -90,7 +88,10 @@ class RigidBodyWorld {
 class MultiBodyWorld {
  public:
   MultiBodyWorld(const Problem& problem, double h)
-      : problem_(problem), h_(h), body_(0, problem.mass, vector(problem.I), false, false) {
+      : problem_(problem),
+        h_(h),
+        body_(problem.wheels ? 3 : 0, hubOf(problem).mass, vector(hubOf(problem).I), false, false) {
+    if (problem.wheels) addWheels(*problem.wheels);
     world_.setGravity(vector(problem.g_W));
     body_.useRK4Integration(true);
     body_.setLinearDamping(0);
@@ -109,9 +110,8 @@ class MultiBodyWorld {
   MultiBodyWorld& operator=(const MultiBodyWorld&) = delete;
 
   void step() {
-    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
-    if (problem_.pulls)
-      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
+    pullForStep(problem_, *this, [&](const Pull& pull) { apply(pull); });
+    if (drive_) turnWheels(drive_->next(h_));
     world_.stepSimulation(h_, 0);
   }
 
@@ -129,6 +129,20 @@ class MultiBodyWorld {
     body_.addBaseTorque(arm_W.cross(force) + vector(pull.torque_W));
   }
 
+  void addWheels(const ReactionWheels& wheels) {
+    for (int k = 0; k < 3; ++k) {
+      btVector3 axis(0, 0, 0);
+      axis[k] = 1;
+      body_.setupRevolute(k, wheels.mass, vector(wheelMoments(wheels, static_cast<std::size_t>(k))),
+                          -1, btQuaternion::getIdentity(), axis, {0, 0, 0}, {0, 0, 0}, true);
+    }
+    drive_.emplace(wheels);
+  }
+
+  void turnWheels(const Array3& torque_P) {
+    for (int k = 0; k < 3; ++k) body_.addJointTorque(k, torque_P[static_cast<std::size_t>(k)]);
+  }
+
   const Problem& problem_;
   double h_;
   Parts parts_;
@@ -136,23 +150,23 @@ class MultiBodyWorld {
   btMultiBodyDynamicsWorld world_{&parts_.dispatcher, &parts_.broadphase, &solver_,
                                   &parts_.configuration};
   btMultiBody body_;
+  std::optional<WheelDrive> drive_;
 };
 
 std::vector<Run> bulletRuns(const Problem& problem) {
-  std::vector<Run> runs;
-  const auto add = [&](const std::vector<Run>& more) {
-    runs.insert(runs.end(), more.begin(), more.end());
-  };
+  std::vector<Run> runs = steppedRuns("multibody, RK4", problem, [&](double h) {
+    return std::make_unique<MultiBodyWorld>(problem, h);
+  });
+  if (problem.wheels) return runs;  // rigid bodies would need constraints
   const auto rigid = [&](const char* name, int gyroscopic) {
-    add(steppedRuns(name, problem, [&](double h) {
+    const std::vector<Run> more = steppedRuns(name, problem, [&](double h) {
       return std::make_unique<RigidBodyWorld>(problem, h, gyroscopic);
-    }));
+    });
+    runs.insert(runs.end(), more.begin(), more.end());
   };
   rigid("implicit (body)", BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
   rigid("implicit (world)", BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD);
   rigid("explicit", BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT);
-  add(steppedRuns("multibody, RK4", problem,
-                  [&](double h) { return std::make_unique<MultiBodyWorld>(problem, h); }));
   return runs;
 }
 

@@ -1,7 +1,9 @@
 #include <memory>
+#include <string>
 
 #include <dart/dynamics/BodyNode.hpp>
 #include <dart/dynamics/FreeJoint.hpp>
+#include <dart/dynamics/RevoluteJoint.hpp>
 #include <dart/dynamics/Skeleton.hpp>
 #include <dart/simulation/World.hpp>
 
@@ -24,8 +26,9 @@ class DartWorld {
     const dart::dynamics::SkeletonPtr skeleton = dart::dynamics::Skeleton::create();
     const auto made = skeleton->createJointAndBodyNodePair<dart::dynamics::FreeJoint>();
     body_ = made.second;
-    const auto& I = problem.I;
-    body_->setInertia({problem.mass, Eigen::Vector3d::Zero(), vector(I).asDiagonal()});
+    const Problem hub = hubOf(problem);
+    body_->setInertia({hub.mass, Eigen::Vector3d::Zero(), vector(hub.I).asDiagonal()});
+    if (problem.wheels) addWheels(*problem.wheels);
     const Motion& start = problem.start;
     Eigen::Isometry3d pose(Eigen::Quaterniond(start.q.data()));  // x y z w
     pose.translation() = vector(start.x_W);
@@ -38,9 +41,8 @@ class DartWorld {
   }
 
   void step() {
-    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
-    if (problem_.pulls)
-      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
+    pullForStep(problem_, *this, [&](const Pull& pull) { apply(pull); });
+    if (drive_) turnWheels(drive_->next(world_->getTimeStep()));
     world_->step();
   }
 
@@ -57,9 +59,31 @@ class DartWorld {
     body_->addExtTorque(vector(pull.torque_W), false);
   }
 
+  void addWheels(const ReactionWheels& wheels) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      using dart::dynamics::RevoluteJoint;
+      RevoluteJoint::Properties hinge;
+      hinge.mName = "hinge " + std::to_string(k);  // or it prints that it gives it a name
+      hinge.mAxis = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k));
+      dart::dynamics::BodyNode::Properties disc;
+      disc.mName = "wheel " + std::to_string(k);
+      const auto made = body_->createChildJointAndBodyNodePair<RevoluteJoint>(hinge, disc);
+      made.second->setInertia(
+          {wheels.mass, Eigen::Vector3d::Zero(), vector(wheelMoments(wheels, k)).asDiagonal()});
+      wheel_joints_[k] = made.first;
+    }
+    drive_.emplace(wheels);
+  }
+
+  void turnWheels(const Array3& torque_P) {
+    for (std::size_t k = 0; k < 3; ++k) wheel_joints_[k]->setForce(0, torque_P[k]);
+  }
+
   const Problem& problem_;
   dart::simulation::WorldPtr world_;
   dart::dynamics::BodyNode* body_;
+  std::array<dart::dynamics::RevoluteJoint*, 3> wheel_joints_{};
+  std::optional<WheelDrive> drive_;
 };
 
 std::vector<Run> dartRuns(const Problem& problem) {

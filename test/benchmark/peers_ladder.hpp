@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "benchmark/peers.hpp"
@@ -12,26 +13,63 @@
 
 namespace rigid_body_sim::peers {
 
-/// Processor time of run(start), the least of several, each from a start of its own by make().
+/// Processor time of run(start), an undisturbed one of several, each from a start of its own by
+/// make().
 template <class Make, class Execute>
 Run timedRun(const std::string& setting, const Make& make, const Execute& execute) {
   constexpr double kBudget = 0.01;  // [s]
   constexpr int kMaxRuns = 100;
   Run run;
   run.setting = setting;
-  run.seconds = std::numeric_limits<double>::infinity();
+  std::vector<double> times;
   double sum = 0;
   for (int k = 0; k < kMaxRuns && sum < kBudget; ++k) {
     auto start = make();
     const double begin = cpuTime();
     execute(*start);
-    const double seconds = cpuTime() - begin;
-    run.seconds = std::min(run.seconds, seconds);
+    times.push_back(cpuTime() - begin);
     run.q = start->motion().q;
-    sum += seconds;
+    sum += times.back();
   }
+  run.seconds = undisturbed(std::move(times));
   return run;
 }
+
+/// Hands over, one by one, what pulls at a body for the next step.
+template <class World, class Apply>
+void pullForStep(const Problem& problem, const World& world, const Apply& apply) {
+  if (problem.isPushed()) apply({problem.force_W, problem.arm_P});
+  if (!problem.spring && !problem.pulls) return;
+  const Motion motion = world.motion();
+  if (problem.spring) apply(pullOf(*problem.spring, motion));
+  if (problem.pulls)
+    for (const Pull& pull : problem.pulls(motion)) apply(pull);
+}
+
+/// The torques of wheels, step by step.
+class WheelDrive {
+ public:
+  explicit WheelDrive(const ReactionWheels& wheels) : wheels_(wheels) {}
+
+  /// [N m] The mean over the next step, of h.
+  Array3 next(double h) {
+    constexpr double kForever = std::numeric_limits<double>::infinity();
+    Array3 mean{};
+    for (const double end = time_ + h; time_ < end;) {
+      const double until = std::min(end, wheels_.endOf(command_, kForever));
+      for (std::size_t i = 0; i < 3; ++i)
+        mean[i] += (until - time_) / h * wheels_.commands[command_].torque_P[i];
+      time_ = until;
+      if (until < end) ++command_;
+    }
+    return mean;
+  }
+
+ private:
+  const ReactionWheels& wheels_;
+  double time_ = 0;
+  std::size_t command_ = 0;
+};
 
 /// Where a world is after so many steps.
 template <class World>

@@ -6,7 +6,8 @@
 #include "tools/trade/cpu_time.hpp"
 
 // Gyroscopic mode on, finite rotations, both steppers. Nothing damps, limits or disables a body
-// unless asked to. A force holds for one step.
+// unless asked to. A force holds for one step. A spring: as such a force, and as a joint that
+// yields.
 
 namespace rigid_body_sim::peers {
 namespace {
@@ -33,25 +34,45 @@ dBodyID addBody(const Problem& problem, dWorldID world) {
   return body;
 }
 
+/// A joint of constant length, as soft as the spring, by the rule of ODE's manual for a spring
+/// without damping in steps of h.
+void addSpringJoint(const SpringToWorld& spring, double h, dWorldID world, dBodyID body) {
+  const dJointID joint = dJointCreateDBall(world, nullptr);
+  dJointAttach(joint, body, nullptr);
+  const auto &at = spring.anchor_W, &arm = spring.arm_P;
+  dVector3 end;
+  dBodyGetRelPointPos(body, arm[0], arm[1], arm[2], end);
+  dJointSetDBallAnchor1(joint, end[0], end[1], end[2]);
+  dJointSetDBallAnchor2(joint, at[0], at[1], at[2]);
+  dJointSetDBallDistance(joint, spring.rest_length);
+  dJointSetDBallParam(joint, dParamERP, 1);
+  dJointSetDBallParam(joint, dParamCFM, 1 / (h * spring.stiffness));
+}
+
+enum class SpringAs { kForce, kJoint };
+
 class OdeWorld {
  public:
-  OdeWorld(const Problem& problem, double h, Step stepper)
+  OdeWorld(const Problem& problem, double h, Step stepper, SpringAs spring_as = SpringAs::kForce)
       : problem_(problem),
         h_(h),
         step_(stepper),
         world_(dWorldCreate()),
-        body_(addBody(problem, world_)) {
+        body_(addBody(hubOf(problem), world_)) {
     const auto& g = problem.g_W;
     dWorldSetGravity(world_, g[0], g[1], g[2]);
+    if (problem_.wheels) addWheels(*problem_.wheels);
+    if (spring_as == SpringAs::kForce) return;
+    addSpringJoint(*problem.spring, h, world_, body_);
+    problem_.spring.reset();
   }
   ~OdeWorld() { dWorldDestroy(world_); }
   OdeWorld(const OdeWorld&) = delete;
   OdeWorld& operator=(const OdeWorld&) = delete;
 
   void step() {
-    if (problem_.isPushed()) apply({problem_.force_W, problem_.arm_P});
-    if (problem_.pulls)
-      for (const Pull& pull : problem_.pulls(motion())) apply(pull);
+    pullForStep(problem_, *this, [&](const Pull& pull) { apply(pull); });
+    if (drive_) turnWheels(drive_->next(h_));
     step_(world_, h_);
   }
 
@@ -69,23 +90,46 @@ class OdeWorld {
     dBodyAddTorque(body_, tau[0], tau[1], tau[2]);
   }
 
-  const Problem& problem_;
+  /// On hinges; what turns a wheel turns the body back.
+  void addWheels(const ReactionWheels& wheels) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Problem wheel{"", wheels.mass, wheelMoments(wheels, k), problem_.start};
+      hinges_[k] = dJointCreateHinge(world_, nullptr);
+      dJointAttach(hinges_[k], addBody(wheel, world_), body_);
+      Array3 axis_P{};
+      axis_P[k] = 1;
+      const auto &x = problem_.start.x_W, axis = inWorldAxes(problem_.start.q, axis_P);
+      dJointSetHingeAnchor(hinges_[k], x[0], x[1], x[2]);
+      dJointSetHingeAxis(hinges_[k], axis[0], axis[1], axis[2]);
+    }
+    drive_.emplace(wheels);
+  }
+
+  void turnWheels(const Array3& torque_P) {
+    for (std::size_t k = 0; k < 3; ++k) dJointAddHingeTorque(hinges_[k], torque_P[k]);
+  }
+
+  Problem problem_;  // without what a joint does
   double h_;
   Step step_;
   dWorldID world_;
   dBodyID body_;
+  std::array<dJointID, 3> hinges_{};
+  std::optional<WheelDrive> drive_;
 };
 
 std::vector<Run> odeRuns(const Problem& problem) {
   dInitODE2(0);
   std::vector<Run> runs;
-  const auto add = [&](const char* name, Step step) {
-    const std::vector<Run> more = steppedRuns(
-        name, problem, [&](double h) { return std::make_unique<OdeWorld>(problem, h, step); });
+  const auto add = [&](const char* name, Step step, SpringAs spring_as) {
+    const std::vector<Run> more = steppedRuns(name, problem, [&](double h) {
+      return std::make_unique<OdeWorld>(problem, h, step, spring_as);
+    });
     runs.insert(runs.end(), more.begin(), more.end());
   };
-  add("step", dWorldStep);
-  add("quick step", dWorldQuickStep);
+  add("step", dWorldStep, SpringAs::kForce);
+  add("quick step", dWorldQuickStep, SpringAs::kForce);
+  if (problem.spring) add("step, joint as spring", dWorldStep, SpringAs::kJoint);
   dCloseODE();
   return runs;
 }

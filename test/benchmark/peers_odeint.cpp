@@ -23,16 +23,35 @@ State stateOf(const Motion& m) {
   return s;
 }
 
-Motion motionOf(const State& s) {
-  const double norm = std::sqrt(s[6] * s[6] + s[7] * s[7] + s[8] * s[8] + s[9] * s[9]);
-  return {{s[0], s[1], s[2]},
-          {s[3], s[4], s[5]},
-          {s[6] / norm, s[7] / norm, s[8] / norm, s[9] / norm},
-          {s[10], s[11], s[12]}};
+Quaternion4 unit(const Quaternion4& q) {
+  const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  return {q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm};
 }
 
-/// With pulls or without.
-template <bool kPulled>
+Quaternion4 attitudeOf(const State& s) { return unit({s[6], s[7], s[8], s[9]}); }
+
+Motion motionOf(const State& s) {
+  return {{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, attitudeOf(s), {s[10], s[11], s[12]}};
+}
+
+/// R v, for the state's attitude.
+Array3 toWorldAxes(const State& s, const Array3& v) {
+  const double x = s[6], y = s[7], z = s[8], w = s[9];
+  return {
+      (1 - 2 * (y * y + z * z)) * v[0] + 2 * (x * y - w * z) * v[1] + 2 * (x * z + w * y) * v[2],
+      2 * (x * y + w * z) * v[0] + (1 - 2 * (x * x + z * z)) * v[1] + 2 * (y * z - w * x) * v[2],
+      2 * (x * z - w * y) * v[0] + 2 * (y * z + w * x) * v[1] + (1 - 2 * (x * x + y * y)) * v[2]};
+}
+
+/// Rᵀ v.
+Array3 fromWorldAxes(const State& s, const Array3& v) {
+  return toWorldAxes({s[0], s[1], s[2], s[3], s[4], s[5], -s[6], -s[7], -s[8], s[9]}, v);
+}
+
+enum class Load { kHeld, kSpring, kPulls };
+
+/// Under a held force, and what else is said.
+template <Load kLoad>
 struct RightHandSide {
   const Problem& p;
 
@@ -40,15 +59,7 @@ struct RightHandSide {
     const double x = s[6], y = s[7], z = s[8], w = s[9];
     const double a = s[10], b = s[11], c = s[12];
     const auto& F = p.force_W;
-    const auto fromWorldAxes = [&](const Array3& v) -> Array3 {  // Rᵀ v
-      return {(1 - 2 * (y * y + z * z)) * v[0] + 2 * (x * y + w * z) * v[1] +
-                  2 * (x * z - w * y) * v[2],
-              2 * (x * y - w * z) * v[0] + (1 - 2 * (x * x + z * z)) * v[1] +
-                  2 * (y * z + w * x) * v[2],
-              2 * (x * z + w * y) * v[0] + 2 * (y * z - w * x) * v[1] +
-                  (1 - 2 * (x * x + y * y)) * v[2]};
-    };
-    const auto [fx, fy, fz] = fromWorldAxes(F);
+    const auto [fx, fy, fz] = fromWorldAxes(s, F);
     for (std::size_t i = 0; i < 3; ++i) {
       d[i] = s[3 + i];
       d[3 + i] = p.g_W[i] + F[i] / p.mass;
@@ -60,79 +71,160 @@ struct RightHandSide {
     d[10] = (p.arm_P[1] * fz - p.arm_P[2] * fy - (p.I[2] - p.I[1]) * b * c) / p.I[0];
     d[11] = (p.arm_P[2] * fx - p.arm_P[0] * fz - (p.I[0] - p.I[2]) * c * a) / p.I[1];
     d[12] = (p.arm_P[0] * fy - p.arm_P[1] * fx - (p.I[1] - p.I[0]) * a * b) / p.I[2];
-    if constexpr (kPulled)
-      for (const Pull& pull : p.pulls(motionOf(s)))
-        add(pull, fromWorldAxes(pull.force_W), fromWorldAxes(pull.torque_W), d);
+    if constexpr (kLoad == Load::kSpring) addSpring(*p.spring, s, d);
+    if constexpr (kLoad == Load::kPulls)
+      for (const Pull& pull : p.pulls(motionOf(s))) addPull(pull, s, d);
   }
 
  private:
-  /// f_P, tau_P: the pull's force and couple in body axes.
-  void add(const Pull& pull, const Array3& f_P, const Array3& tau_P, State& d) const {
-    const Array3& r = pull.arm_P;
-    const Array3 about{r[1] * f_P[2] - r[2] * f_P[1], r[2] * f_P[0] - r[0] * f_P[2],
-                       r[0] * f_P[1] - r[1] * f_P[0]};
-    for (std::size_t i = 0; i < 3; ++i) {
-      d[3 + i] += pull.force_W[i] / p.mass;
-      d[10 + i] += (about[i] + tau_P[i]) / p.I[i];
-    }
+  void addForce(const Array3& f_W, const Array3& r_P, const State& s, State& d) const {
+    const auto [fx, fy, fz] = fromWorldAxes(s, f_W);
+    const auto [x, y, z] = r_P;
+    for (std::size_t i = 0; i < 3; ++i) d[3 + i] += f_W[i] / p.mass;
+    d[10] += (y * fz - z * fy) / p.I[0];
+    d[11] += (z * fx - x * fz) / p.I[1];
+    d[12] += (x * fy - y * fx) / p.I[2];
+  }
+
+  void addSpring(const SpringToWorld& spring, const State& s, State& d) const {
+    auto [x, y, z] = toWorldAxes(s, spring.arm_P);
+    x += s[0] - spring.anchor_W[0];
+    y += s[1] - spring.anchor_W[1];
+    z += s[2] - spring.anchor_W[2];
+    const double per_length =
+        spring.stiffness * (spring.rest_length / std::sqrt(x * x + y * y + z * z) - 1);
+    addForce({per_length * x, per_length * y, per_length * z}, spring.arm_P, s, d);
+  }
+
+  void addPull(const Pull& pull, const State& s, State& d) const {
+    addForce(pull.force_W, pull.arm_P, s, d);
+    const Array3 tau_P = fromWorldAxes(s, pull.torque_W);
+    for (std::size_t i = 0; i < 3; ++i) d[10 + i] += tau_P[i] / p.I[i];
   }
 };
 
-template <class Integrate>
-Run timed(const Problem& problem, const std::string& setting, const Integrate& integrate) {
+using WheelState = std::array<double, 10>;  // q (x y z w), ω, momenta of the wheels
+
+Quaternion4 attitudeOf(const WheelState& s) { return unit({s[0], s[1], s[2], s[3]}); }
+
+/// From one change of the right-hand side to the next.
+template <class System>
+struct Stretch {
+  double start, end;  ///< [s]
+  System system;
+};
+
+template <class System>
+using Stretches = std::vector<Stretch<System>>;
+
+template <class Start, class Integrate>
+Run timed(const std::string& setting, const Start& start, const Integrate& integrate) {
   constexpr double kBudget = 0.01;  // [s]
   Run run;
   run.setting = setting;
-  run.seconds = leastCpuTime(
-      stateOf(problem.start),
-      [&](State& s) {
+  run.seconds = undisturbedCpuTime(
+      start,
+      [&](Start& s) {
         integrate(s);
-        run.q = motionOf(s).q;
+        run.q = attitudeOf(s);
       },
       kBudget);
   return run;
 }
 
-template <class Stepper>
-void addFixed(const char* name, const Problem& problem, std::vector<Run>& runs) {
+/// Each stretch in equal steps of at most h.
+template <class Stepper, class System, class Start>
+void addFixed(const char* name, const Stretches<System>& stretches, const Start& start,
+              std::vector<Run>& runs) {
   constexpr double kLongest = 0.02;  // [s] beyond it nothing competes
-  const RightHandSide<false> rhs{problem};
   for (double steps = 32; steps < 1e6; steps = std::round(1.2 * steps)) {
-    const double h = problem.duration / steps;
-    runs.push_back(timed(problem, label(name, "h", h), [&](State& s) {
-      odeint::integrate_n_steps(Stepper(), rhs, s, 0.0, h, static_cast<std::size_t>(steps));
+    const double h = stretches.back().end / steps;
+    runs.push_back(timed(label(name, "h", h), start, [&](Start& s) {
+      for (const auto& [from, to, system] : stretches) {
+        const double count = std::ceil((to - from) / h - 1e-6);
+        odeint::integrate_n_steps(Stepper(), system, s, from, (to - from) / count,
+                                  static_cast<std::size_t>(count));
+      }
     }));
     if (runs.back().seconds > kLongest) break;
   }
 }
 
-template <class MakeStepper>
-void addControlled(const char* name, const Problem& problem, const MakeStepper& make,
-                   std::vector<Run>& runs) {
-  const RightHandSide<false> rhs{problem};
+template <class MakeStepper, class System, class Start>
+void addControlled(const char* name, const MakeStepper& make, const Stretches<System>& stretches,
+                   const Start& start, std::vector<Run>& runs) {
   for (double tolerance = 1e-2; tolerance > 1e-15; tolerance /= 2)
-    runs.push_back(timed(problem, label(name, "tolerance", tolerance), [&](State& s) {
-      odeint::integrate_adaptive(make(tolerance), rhs, s, 0.0, problem.duration, 0.05);
+    runs.push_back(timed(label(name, "tolerance", tolerance), start, [&](Start& s) {
+      for (const auto& [from, to, system] : stretches)
+        odeint::integrate_adaptive(make(tolerance), system, s, from, to, 0.05);
     }));
 }
 
 /// Rk4, dopri5, rkf78 in fixed and controlled steps and Bulirsch–Stoer, each over a ladder.
-std::vector<Run> odeintRuns(const Problem& problem) {
-  using Rk4 = odeint::runge_kutta4<State>;
-  using Dopri5 = odeint::runge_kutta_dopri5<State>;
-  using Rkf78 = odeint::runge_kutta_fehlberg78<State>;
+template <class System, class Start>
+std::vector<Run> runsFrom(const Start& start, const Stretches<System>& stretches) {
+  using Rk4 = odeint::runge_kutta4<Start>;
+  using Dopri5 = odeint::runge_kutta_dopri5<Start>;
+  using Rkf78 = odeint::runge_kutta_fehlberg78<Start>;
   std::vector<Run> runs;
-  addFixed<Rk4>("rk4", problem, runs);
-  addFixed<Dopri5>("dopri5", problem, runs);
-  addFixed<Rkf78>("rkf78", problem, runs);
+  addFixed<Rk4>("rk4", stretches, start, runs);
+  addFixed<Dopri5>("dopri5", stretches, start, runs);
+  addFixed<Rkf78>("rkf78", stretches, start, runs);
   addControlled(
-      "dopri5", problem, [](double e) { return odeint::make_controlled<Dopri5>(e, e); }, runs);
-  addControlled(
-      "rkf78", problem, [](double e) { return odeint::make_controlled<Rkf78>(e, e); }, runs);
-  addControlled(
-      "bulirsch_stoer", problem, [](double e) { return odeint::bulirsch_stoer<State>(e, e); },
+      "dopri5", [](double e) { return odeint::make_controlled<Dopri5>(e, e); }, stretches, start,
       runs);
+  addControlled(
+      "rkf78", [](double e) { return odeint::make_controlled<Rkf78>(e, e); }, stretches, start,
+      runs);
+  addControlled(
+      "bulirsch_stoer", [](double e) { return odeint::bulirsch_stoer<Start>(e, e); }, stretches,
+      start, runs);
   return runs;
+}
+
+template <class System>
+std::vector<Run> runsUnder(const Problem& problem) {
+  return runsFrom(stateOf(problem.start),
+                  Stretches<System>{{0, problem.duration, System{problem}}});
+}
+
+/// A free body with wheels: L = I_r ω + h, I_r = I − J.
+struct WheelsTurn {
+  Array3 I_r;
+  Array3 torque_P;
+
+  void operator()(const WheelState& s, WheelState& d, double) const {
+    const auto [x, y, z, w, a, b, c, ha, hb, hc] = s;
+    const double La = I_r[0] * a + ha, Lb = I_r[1] * b + hb, Lc = I_r[2] * c + hc;
+    d[0] = 0.5 * (w * a + y * c - z * b);
+    d[1] = 0.5 * (w * b + z * a - x * c);
+    d[2] = 0.5 * (w * c + x * b - y * a);
+    d[3] = -0.5 * (x * a + y * b + z * c);
+    d[4] = (c * Lb - b * Lc - torque_P[0]) / I_r[0];
+    d[5] = (a * Lc - c * La - torque_P[1]) / I_r[1];
+    d[6] = (b * La - a * Lb - torque_P[2]) / I_r[2];
+    for (std::size_t i = 0; i < 3; ++i) d[7 + i] = torque_P[i];
+  }
+};
+
+std::vector<Run> wheelRuns(const Problem& problem, const ReactionWheels& wheels) {
+  const Quaternion4& q = problem.start.q;
+  const Array3& w = problem.start.w_P;
+  const double J = wheels.inertia;
+  const WheelState start{q[0], q[1], q[2], q[3], w[0], w[1], w[2], J * w[0], J * w[1], J * w[2]};
+  const Array3 I_r{problem.I[0] - J, problem.I[1] - J, problem.I[2] - J};
+  Stretches<WheelsTurn> stretches;
+  for (std::size_t i = 0; i < wheels.commands.size(); ++i)
+    stretches.push_back({wheels.commands[i].start,
+                         wheels.endOf(i, problem.duration),
+                         {I_r, wheels.commands[i].torque_P}});
+  return runsFrom(start, stretches);
+}
+
+std::vector<Run> odeintRuns(const Problem& problem) {
+  if (problem.wheels) return wheelRuns(problem, *problem.wheels);
+  return problem.spring ? runsUnder<RightHandSide<Load::kSpring>>(problem)
+                        : runsUnder<RightHandSide<Load::kHeld>>(problem);
 }
 
 Motion rk4End(const Problem& problem, double h, int steps) {
@@ -142,15 +234,15 @@ Motion rk4End(const Problem& problem, double h, int steps) {
                               static_cast<std::size_t>(steps));
   };
   if (problem.pulls)
-    integrate(RightHandSide<true>{problem});
+    integrate(RightHandSide<Load::kPulls>{problem});
   else
-    integrate(RightHandSide<false>{problem});
+    integrate(RightHandSide<Load::kHeld>{problem});
   return motionOf(s);
 }
 
 double rk4Crowd(const std::vector<Problem>& bodies, double h, int steps) {
   std::vector<State> states;
-  std::vector<RightHandSide<false>> right_hand_sides;
+  std::vector<RightHandSide<Load::kHeld>> right_hand_sides;
   for (const Problem& body : bodies) {
     states.push_back(stateOf(body.start));
     right_hand_sides.push_back({body});

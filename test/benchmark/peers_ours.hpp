@@ -12,8 +12,12 @@ struct Contender {
 /// The attitude at the end, by the exact rotation or Taylor series in long double.
 Quaternion4 truthOf(const Problem& problem);
 
-/// auto, and every integrator of the catalogue.
+/// auto, and every integrator of the catalogue that supports what acts.
 std::vector<Contender> ourRuns(const Problem& problem);
+
+/// [s] of processor time that auto takes before the start, at a tolerance of 1e-6: it may try the
+/// integrators.
+double timeToChoose(const Problem& problem);
 
 /// [s] of processor time of so many steps of h with these bodies in one world, all of them read at
 /// every tenth step.

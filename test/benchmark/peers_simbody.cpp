@@ -42,18 +42,27 @@ class PullForce final : public SimTK::Force::Custom::Implementation {
   const SimTK::MobilizedBody& body_;
 };
 
+SimTK::Body::Rigid rigid(double mass, const Array3& I) {
+  return SimTK::Body::Rigid(
+      SimTK::MassProperties(mass, SimTK::Vec3(0), SimTK::Inertia(I[0], I[1], I[2])));
+}
+
 template <class Integrator>
 class SimbodyWorld {
  public:
   explicit SimbodyWorld(const Problem& problem)
-      : body_(matter_.Ground(), SimTK::Body::Rigid(SimTK::MassProperties(
-                                    problem.mass, SimTK::Vec3(0),
-                                    SimTK::Inertia(problem.I[0], problem.I[1], problem.I[2])))),
+      : problem_(problem),
+        body_(matter_.Ground(), rigid(hubOf(problem).mass, hubOf(problem).I)),
         integrator_(system_) {
+    if (problem.wheels) addWheels(*problem.wheels);
     const SimTK::Vec3 g = vector(problem.g_W);
     if (g.norm() > 0) SimTK::Force::UniformGravity(forces_, matter_, g);
     if (problem.isPushed())
       SimTK::Force::ConstantForce(forces_, body_, vector(problem.arm_P), vector(problem.force_W));
+    if (const auto& spring = problem.spring)
+      SimTK::Force::TwoPointLinearSpring(forces_, matter_.Ground(), vector(spring->anchor_W), body_,
+                                         vector(spring->arm_P), spring->stiffness,
+                                         spring->rest_length);
     if (problem.pulls) SimTK::Force::Custom(forces_, new PullForce(problem, body_));  // taken over
     start_ = system_.realizeTopology();
     const Motion& start = problem.start;
@@ -73,11 +82,16 @@ class SimbodyWorld {
     integrator_.initialize(start_);
   }
 
-  /// Reports are interpolated and cost next to nothing; CPODES takes at most 500 steps for each.
+  /// From one command of the wheels to the next.
   void run(double duration) {
-    const double report = std::max(0.5, duration / 1000);  // [s]
-    while (integrator_.getTime() < duration)
-      integrator_.stepTo(std::min(integrator_.getTime() + report, duration), duration);
+    if (!problem_.wheels) return runTo(duration, duration);
+    const ReactionWheels& wheels = *problem_.wheels;
+    for (std::size_t i = 0; i < wheels.commands.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k)
+        motors_[k].setMobilityForce(integrator_.updAdvancedState(), wheels.commands[i].torque_P[k]);
+      integrator_.reinitialize(SimTK::Stage::Dynamics, false);
+      runTo(wheels.endOf(i, duration), duration);
+    }
   }
 
   Motion motion() const {
@@ -87,10 +101,31 @@ class SimbodyWorld {
   }
 
  private:
+  /// Reports are interpolated and cost next to nothing; CPODES takes at most 500 steps for each.
+  void runTo(double end, double duration) {
+    const double report = std::max(0.5, duration / 1000);  // [s]
+    while (integrator_.getTime() < end)
+      integrator_.stepTo(std::min(integrator_.getTime() + report, end), end);
+  }
+
+  /// On pins, the axes of which are z.
+  void addWheels(const ReactionWheels& wheels) {
+    for (int k = 0; k < 3; ++k) {
+      const SimTK::Transform pin(
+          SimTK::Rotation(SimTK::UnitVec3(SimTK::CoordinateAxis(k)), SimTK::ZAxis));
+      const SimTK::MobilizedBody::Pin wheel(
+          body_, pin, rigid(wheels.mass, wheelMoments(wheels, static_cast<std::size_t>(k))), pin);
+      motors_[static_cast<std::size_t>(k)] =
+          SimTK::Force::MobilityDiscreteForce(forces_, wheel, SimTK::MobilizerUIndex(0));
+    }
+  }
+
+  const Problem& problem_;
   SimTK::MultibodySystem system_;
   SimTK::SimbodyMatterSubsystem matter_{system_};
   SimTK::GeneralForceSubsystem forces_{system_};
   SimTK::MobilizedBody::Free body_;
+  std::array<SimTK::Force::MobilityDiscreteForce, 3> motors_;
   Integrator integrator_;
   SimTK::State start_;
 };

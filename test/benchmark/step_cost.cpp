@@ -41,7 +41,7 @@ double stepCost(const Method& method, const Run& start) {
   const auto steps = [&](Run& run) {
     for (int i = 0; i < kSteps; ++i) method.step(run.system, 1e-3, run.states, run.workspace);
   };
-  return 1e9 * leastCpuTime(start, steps, 0.5) / kSteps;
+  return 1e9 * undisturbedCpuTime(start, steps, 0.5) / kSteps;
 }
 
 void printCosts() {

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "benchmark/peers_wide.hpp"
 #include "benchmark/touch_peers.hpp"
 
 // A rattleback, and the truth of it: pure rolling, in long double, with nothing of ours or of the
@@ -9,17 +10,9 @@
 namespace rigid_body_sim::touch_peers {
 namespace {
 
-using Real = long double;
-using V = std::array<Real, 3>;
+using namespace wide;
 using Numbers = std::array<Real, 7>;  // attitude x y z w, turning in principal axes
 
-V operator+(const V& a, const V& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-V operator*(Real s, const V& a) { return {s * a[0], s * a[1], s * a[2]}; }
-V operator-(const V& a, const V& b) { return a + Real{-1} * b; }
-Real dot(const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-V cross(const V& a, const V& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 V scaled(const V& d, const V& a) { return {d[0] * a[0], d[1] * a[1], d[2] * a[2]}; }
 V aboutZ(Real c, Real s, const V& a) { return {c * a[0] - s * a[1], s * a[0] + c * a[1], a[2]}; }
 
@@ -82,20 +75,10 @@ class Rolling {
   Real up_, cos_, sin_;
 };
 
-Numbers ahead(Numbers y, Real h, const Numbers& rate) {
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * rate[i];
-  return y;
-}
-
-Numbers rolled(const TouchCase& c, Numbers y, int steps) {
+Numbers rolled(const TouchCase& c, const Numbers& y, int steps) {
   const Rolling rolling(c);
-  const Real h = Real{c.duration} / steps;
-  for (int k = 0; k < steps; ++k) {  // the classical Runge-Kutta method
-    const Numbers k1 = rolling.rate(y), k2 = rolling.rate(ahead(y, h / 2, k1)),
-                  k3 = rolling.rate(ahead(y, h / 2, k2)), k4 = rolling.rate(ahead(y, h, k3));
-    y = ahead(ahead(ahead(ahead(y, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
-  }
-  return y;
+  return advanced(y, 0, Real{c.duration} / steps, steps,
+                  [&](Real, const Numbers& now) { return rolling.rate(now); });
 }
 
 Quaternion4 attitude(const Numbers& y) {

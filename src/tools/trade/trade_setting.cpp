@@ -63,8 +63,8 @@ Setting measureSetting(const World& world, const Reference& reference,
     setting.force_evaluations = simulation.evaluations();
     setting.work = countedWork(simulation);
   };
-  setting.cpu_ns_per_sim_s =
-      1e9 * leastCpuTime(start, run, patience.timing) / (static_cast<double>(steps) * time_step);
+  setting.cpu_ns_per_sim_s = 1e9 * undisturbedCpuTime(start, run, patience.timing) /
+                             (static_cast<double>(steps) * time_step);
   return setting;
 }
 
