@@ -136,6 +136,31 @@ TEST(ReadDae, ExpandsInstancesOfNodes) {
   EXPECT_TRUE(massProperties(mesh, 4).com_B.isApprox(Vector3d(2, 3, 1.5), 1e-15));
 }
 
+TEST(ReadDae, LooksFromAPlaceTowardsAnother) {
+  // to x with z up: the node's own x to the right of that, -y, its y upwards, its z backwards
+  const std::string scene =
+      "<node><lookat>1 2 3 6 2 3 0 0 1</lookat><scale>1 2 3</scale>"
+      "<instance_geometry url=\"#g\"/></node>";
+  const TriangleMesh mesh = solidIn(file(kPolylist, scene));
+  EXPECT_DOUBLE_EQ(volume(mesh), 6);
+  EXPECT_TRUE(massProperties(mesh, 6).com_B.isApprox(Vector3d(1 - 1.5, 2 - 0.5, 3 + 1), 1e-15));
+}
+
+TEST(ReadDae, TakesWhatAControllerBendsAsItIs) {
+  const auto bentBy = [](const std::string& controllers) {
+    return file(kPolylist, "<node><instance_controller url=\"#c\"/></node>", controllers);
+  };
+  const std::string skin = "<controller id=\"c\"><skin source=\"#g\"/></controller>";
+  EXPECT_DOUBLE_EQ(volume(solidIn(bentBy(skin))), 1);
+  const std::string morph = "<controller id=\"c\"><morph source=\"#d\"/></controller>";
+  EXPECT_DOUBLE_EQ(
+      volume(solidIn(bentBy(morph + "<controller id=\"d\"><skin source=\"#g\"/></controller>"))),
+      1);
+  const std::string circle = "<controller id=\"d\"><skin source=\"#c\"/></controller>";
+  EXPECT_THAT(refusal(bentBy(morph + circle)), HasSubstr("geometry"));
+  EXPECT_THAT(refusal(bentBy("<controller id=\"c\"/>")), HasSubstr("missing element morph"));
+}
+
 TEST(ReadDae, KnowsHowItsNumbersWereRounded) {
   // single precision at 1, and two digits count as six, the last of them in 1e-5
   EXPECT_NEAR(readDae(file(kPolylist)).rounding.x(), 1.5e-5 + 4.77e-7, 1e-9);

@@ -16,7 +16,8 @@ void rk4Step(const System& system, double h, SystemState& states, Workspace& wor
   const std::size_t n = states.bodies.size();
   std::vector<BodyStateDot>& dots = workspace.dots;
   dots.assign(2 * n, BodyStateDot{});  // this stage's rates, then the weighted sum
-  std::vector<double> law_dots, law_sum(system.law_states_change ? states.laws.size() : 0);
+  std::vector<double> law_sum(system.law_states_change ? states.laws.size() : 0);
+  std::vector<double> law_dots(law_sum.size());
   workspace.stages = states;
   for (std::size_t stage = 0; stage < 4; ++stage) {
     if (stage > 0)

@@ -14,8 +14,9 @@ constexpr double kMaxNome = 0.33;
 /// go up to 1e15 rad over the rate of ψ.
 bool isPlain(const AsymmetricPath<double>& path, W rate) {
   constexpr W kLeastAmplitude = 1e-100L;
+  const W magnitude = std::abs(rate);
   return path.B > kLeastAmplitude && path.M > kLeastAmplitude && path.lambda > W(1e-290L) &&
-         path.lambda < W(1e280L) && std::abs(rate) > W(1e-270L) && std::abs(rate) < W(1e280L);
+         path.lambda < W(1e280L) && magnitude > W(1e-270L) && magnitude < W(1e280L);
 }
 
 W nomeOf(W K, W k2) {

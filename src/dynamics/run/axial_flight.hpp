@@ -36,9 +36,9 @@ class AxialFlight {
   BodyState start_;
   Vector3d f_W_;       // [N] with gravity
   Vector3d torque_W_;  // [N m]
-  double torque_;      // [N m] about the axis
-  double mass_;
-  int axis_;                   // of the principal axes
+  double torque_ = 0;  // [N m] about the axis
+  double mass_ = 0;
+  int axis_ = 0;               // of the principal axes
   Wide<double> rate_;          // [rad/s] at the start
   Wide<double> acceleration_;  // [rad/s²]
 };

@@ -167,8 +167,10 @@ std::optional<Truth> truthOf(const Trial& trial) {
     // a step that divides itself would only agree with itself
     const std::int64_t rough_steps = run ? run->rough_steps : 0;
     if (rough_steps >= last_rough_steps) return std::nullopt;  // forces jump
-    if (rough_steps > 0) last_rough_steps = rough_steps;
-    if (rough_steps > 0) run.reset();
+    if (rough_steps > 0) {
+      last_rough_steps = rough_steps;
+      run.reset();
+    }
     const bool shorter = run && run->cost > 1.9 * last_cost;
     if (shorter && last) {
       const double error = trial.error(*last, run->track);
@@ -177,8 +179,10 @@ std::optional<Truth> truthOf(const Trial& trial) {
       last_error = error;
     }
     last.reset();
-    if (run) last_cost = run->cost;
-    if (run) last = std::move(run->track);
+    if (run) {
+      last_cost = run->cost;
+      last = std::move(run->track);
+    }
     last_substeps = substeps;
   }
   if (!last) return std::nullopt;
@@ -208,9 +212,10 @@ MethodChoice chooseMethod(const World& world, const LawTable& laws, const Couple
       const double error = run ? trial.error(run->track, truth->track) : last_error;
       const bool holds = run && error <= kMargin;
       if (holds && run->cost >= best_cost) break;
-      if (holds) best_cost = run->cost;
-      if (holds)
+      if (holds) {
+        best_cost = run->cost;
         best = {&*method, substeps, error, 1, true, trial.endTime(), trial.isCutShort(), false};
+      }
       best.error = std::min(error, best.error);
       // shorter steps no longer help: rounding dominates, or the integrator cannot get there
       if (holds || trial.isStuck(error, last_error)) break;

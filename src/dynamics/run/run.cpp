@@ -11,7 +11,7 @@ namespace rigid_body_sim {
 
 Run::Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start)
     : now_(world, RunMotors::complete(*world, start)), grouping_(now_), motors_(*world, *start) {
-  MethodPlanner& planner = grouping_.planner();
+  const MethodPlanner& planner = grouping_.planner();
   planner.requireSupport(*world);
   contact_trial_.step_bound =
       now_.start->contact_bound > 0 ? now_.start->contact_bound : planner.contactBound();

@@ -65,9 +65,9 @@ StepHooks hooksOf(SimulateJob& job, SlowRunNotice& slow, StepWatch& watch) {
     if (job.imu_csv) job.imu_csv->writeDue();
     if (job.bag) job.bag->writeDue();
     const std::string text = slow.textIfDue(job.simulation);
-    if (!text.empty()) job.note(text);
-    // though an input to come may be at fault: the user waits now
-    if (!text.empty()) job.messages.print();
+    if (text.empty()) return;
+    job.note(text);
+    job.messages.print();  // though an input to come may be at fault: the user waits now
   };
   hooks.sample = [&job, states = std::make_shared<StatesWithin>()](double t) {
     return states->at(job.simulation, t);

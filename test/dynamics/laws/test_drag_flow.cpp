@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/dynamics/body.hpp>
+#include <rigid_body_sim/dynamics/drag.hpp>
+
 #include "dynamics/laws/drag_flow.hpp"
 #include "support/random_bodies.hpp"
 
@@ -56,6 +59,29 @@ TEST(DragFlow, SlowsByTheMeanSpeedToRounding) {
     const Vector3d difference = Vector3d(after.x, after.y, after.z) - expected;
     // some ten roundings of what is added up
     EXPECT_LE(difference.norm(), 16 * kUnit * (p.norm() + h * f.norm())) << i;
+  }
+}
+
+TEST(DragFlow, OfMoreThanTheMomentumSlowsByTheMeanSpeed) {
+  Draw draw(4);
+  Body body;
+  for (int i = 0; i < 500; ++i) {
+    const double m = body.mass = draw.uniform(0.1, 10), h = draw.uniform(1e-4, 0.1);
+    const Vector3d p = i % 7 == 0 ? Vector3d(Vector3d::Zero()) : draw.vector(m);
+    const Vector3d f = i % 5 == 0 ? Vector3d(Vector3d::Zero()) : draw.vector(m / h);
+    const double fastest = (p.norm() + h * f.norm()) / m;
+    const double share = draw.uniform(1, 40) * m / h;
+    const double part = i % 3 == 0 ? 1 : draw.uniform(0, 1);
+    const DragNumbers<double> drag{part * share, (1 - part) * share / (fastest + 1e-300), 0};
+    const double x = (drag.linear + drag.quadratic * meanSpeed(drag, m, p, f, h)) / m * h;
+    const Vector3d expected = std::exp(-x) * p + h * (x == 0 ? 1 : -std::expm1(-x) / x) * f;
+    BodyState state;
+    state.p_W = p;
+    Wrench wrench;
+    wrench.f_W = f;
+    Drag(0, {drag.linear, drag.quadratic, 0}).kick(body, wrench, h, state);
+    // as above
+    EXPECT_LE((state.p_W - expected).norm(), 16 * kUnit * (p.norm() + h * f.norm())) << i;
   }
 }
 
