@@ -275,7 +275,7 @@ std::string describeSubsteps(const Simulation& simulation) {
 }
 
 std::string describeMagnification(const Simulation& simulation) {
-  const std::string of_solved = magnificationOfSolved(simulation);
+  std::string of_solved = magnificationOfSolved(simulation);
   if (!of_solved.empty()) return of_solved;
   const double digits = simulation.magnification() / std::log(10.0);
   if (!(digits > kDigitsLost)) return "";

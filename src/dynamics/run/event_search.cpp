@@ -1,6 +1,7 @@
 #include "dynamics/run/event_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -45,7 +46,8 @@ double EventSearch::suspected(const MotionPiece& piece, const CubicBetween* cubi
     setGuards(piece.system(), trial_, guards_);
     return anyBelow(guards_);
   };
-  for (const std::size_t k : {2, 4, 6, 1, 3, 5, 7}) {
+  constexpr std::array<std::size_t, 7> kOrder{2, 4, 6, 1, 3, 5, 7};
+  for (const std::size_t k : kOrder) {
     if (k == 1 && !comesNear()) return piece.end();
     const auto parts = static_cast<double>(k);
     const bool seems_below = seemsBelowAt(parts);
