@@ -9,7 +9,7 @@
 
 namespace rigid_body_sim {
 
-Run::Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start)
+Run::Run(const std::shared_ptr<const World>& world, const std::shared_ptr<const State>& start)
     : now_(world, RunMotors::complete(*world, start)), grouping_(now_), motors_(*world, *start) {
   const MethodPlanner& planner = grouping_.planner();
   planner.requireSupport(*world);

@@ -20,7 +20,7 @@ class Run {
  public:
   /// Goes on from a state, at a step of the world. Throws std::invalid_argument for an integrator
   /// that is unknown or does not support what acts.
-  Run(std::shared_ptr<const World> world, std::shared_ptr<const State> start);
+  Run(const std::shared_ptr<const World>& world, const std::shared_ptr<const State>& start);
 
   /// The same run at twice the step, from a step of even count on, to compare with.
   Run atTwiceTheStep() const;
