@@ -151,6 +151,7 @@ RIGID_BODY_SIM_INLINE void fly(const Numbers& of, std::size_t lane, FlightBlock&
 
 template <bool is_first, class T, class Numbers>
 RIGID_BODY_SIM_INLINE void flyAll(const FlightLane* lanes, std::size_t count, FlightBlock& block) {
+  // NOLINTNEXTLINE(bugprone-sizeof-expression): T is a number or as many as a register holds
   constexpr std::size_t kAtOnce = sizeof(T) / sizeof(double);
   for (std::size_t k = 0; k < count; k += kAtOnce) fly<is_first, T>(Numbers(lanes, k), k, block);
 }

@@ -18,9 +18,9 @@ struct LanesOf<double> {
 #if defined(__clang__)
   // clang forgets an alignment of its own where the type goes through a template, though not in the
   // layout of a class, and then stores to a member as if it were aligned to its size
-  typedef double Type __attribute__((vector_size(32)));
+  using Type __attribute__((vector_size(32))) = double;
 #else
-  typedef double Type __attribute__((vector_size(32), aligned(8)));
+  using Type __attribute__((vector_size(32), aligned(8))) = double;
 #endif
 };
 template <class T>

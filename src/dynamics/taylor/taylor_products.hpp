@@ -69,6 +69,7 @@ struct Products {
   Lanes<T> of_w[4];  ///< (ω₂ ω₃, ω₃ ω₁, ω₁ ω₂); of ½ q (0, ω) what ω₁, ω₂, ω₃ bring
   Lanes<T> squares, crosses, turns;  ///< of the components of q
 
+  // NOLINTNEXTLINE(bugprone-reserved-identifier): the index by which the compiler goes through of_w
   RIGID_BODY_SIM_INLINE Products() {
     set<T>(0, 0, 0, 0, squares);
     crosses = turns = of_w[0] = of_w[1] = of_w[2] = of_w[3] = squares;
