@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "dynamics/packs/most_lanes.hpp"
 #include "dynamics/packs/pack_target.hpp"
 #include "dynamics/rotation/free_motion.hpp"
 #include "dynamics/rotation/theta_motion.hpp"
@@ -196,7 +197,7 @@ std::vector<FlightKernels> flightKernelsOfThisProcessor() {
     kernels.push_back(
         {8, "AVX-512", flyWidest<true, Pack<8>>, flyWidest<false, Pack<8>>, copyWide});
 #endif
-  return kernels;
+  return upToMostLanes(std::move(kernels));
 }
 
 }  // namespace

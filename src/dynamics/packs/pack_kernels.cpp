@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <utility>
 
+#include "dynamics/packs/most_lanes.hpp"
 #include "dynamics/packs/pack_steps.hpp"
 #include "dynamics/packs/pack_target.hpp"
 
@@ -87,7 +89,7 @@ std::vector<PackKernels> kernelsOfThisProcessor() {
   if (__builtin_cpu_supports("avx512f"))
     kernels.push_back({16, "AVX-512", RIGID_BODY_SIM_PACK_STEPS(widest, Twin<8>)});
 #endif
-  return kernels;
+  return upToMostLanes(std::move(kernels));
 }
 
 }  // namespace
