@@ -190,6 +190,10 @@ class Simulation {
   /// How steps in contact are bounded. Of a scene without contact it means nothing.
   ContactTrial contactTrial() const;
 
+  /// [s] From when the scene's horizon counts: 0, or, where a reset has let time run on, later by as
+  /// much as the run began anew after its start.
+  double horizonBegins() const;
+
   /// Largest number of substeps that a step was divided into so far, because something turned,
   /// swung or decayed faster than its method follows in one; 1 when none was.
   int maxSubsteps() const;

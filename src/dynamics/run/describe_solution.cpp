@@ -159,12 +159,12 @@ std::string contactText(const Simulation& simulation) {
   if (tighter > 1.5)
     text << "contact: errors of a step are kept " << tighter << " times smaller than tolerance "
          << solver.tolerance << " asks for at first, because impacts magnify them";
-  const bool cut_short =
-      trial.tried_until > simulation.time() && trial.tried_until < solver.horizon;
+  const double horizon_ends = simulation.horizonBegins() + solver.horizon;
+  const bool cut_short = trial.tried_until > simulation.time() && trial.tried_until < horizon_ends;
   if (cut_short)
     text << (tighter > 1.5 ? "; " : "contact: ")
          << "a trial, whose work is bounded, shows tolerance " << solver.tolerance
-         << " to hold up to " << trial.tried_until << " s of " << solver.horizon << " s";
+         << " to hold up to " << trial.tried_until << " s of " << horizon_ends << " s";
   return text.str();
 }
 

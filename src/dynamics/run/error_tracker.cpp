@@ -74,7 +74,8 @@ void ErrorTracker::compare(const Run& run, const Group& group) {
     paths_[body].goOn(fine);
     const bool exceeds =
         isBeyond(solver.tolerance, attitude, position, run.now().world->bodies[body], paths_[body]);
-    if (exceeds && solver.integrator == "auto" && run.now().time <= solver.horizon)
+    if (exceeds && solver.integrator == "auto" &&
+        run.now().time - run.now().horizon_begins <= solver.horizon)
       estimate_.lost_at = std::min(estimate_.lost_at, run.now().time);
     estimate_.attitude = std::max(estimate_.attitude, attitude);
     estimate_.position = std::max(estimate_.position, position);

@@ -31,7 +31,11 @@ void Run::limitContactWork(double work) {
 
 ContactTrial Run::contactTrial() const {
   const double bound = grouping_.planner().contactBound();
-  return bound == contact_trial_.step_bound ? contact_trial_ : ContactTrial{bound};
+  if (bound != contact_trial_.step_bound) return ContactTrial{bound};
+  ContactTrial trial = contact_trial_;
+  trial.lost_at += now_.horizon_begins;
+  trial.tried_until += now_.horizon_begins;
+  return trial;
 }
 
 Run Run::atTwiceTheStep() const { return loosened(true); }
@@ -213,6 +217,7 @@ void Run::setState(std::size_t body, const BodyState& state) {
 
 void Run::reset(bool restart_time) {
   enter(now_.start->changes);
+  now_.horizon_begins = 0;
   if (restart_time) return place(*now_.start, true);
   State start = *now_.start;
   start.t = now_.time;
@@ -221,6 +226,7 @@ void Run::reset(bool restart_time) {
   start.plans.clear();
   start.near_laws.clear();
   const double later = now_.time - now_.start->t;
+  now_.horizon_begins = later;
   for (std::vector<ActuatorState>& of_body : start.actuators)
     for (ActuatorState& actuator : of_body) {
       actuator.since += later;
@@ -232,6 +238,7 @@ void Run::reset(bool restart_time) {
 void Run::load(const State& state) {
   Run loaded = *this;
   loaded.enter(state.changes);
+  loaded.now_.horizon_begins = 0;
   const World& world = *loaded.now_.world;
   const RunMotors motors = loaded.motors_;
   loaded.motors_ = RunMotors(world, state);

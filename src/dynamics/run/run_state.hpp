@@ -73,6 +73,7 @@ struct RunState {
   LawTable laws;
   std::int64_t steps = 0;
   double time = 0;                        ///< [s] steps × time_step
+  double horizon_begins = 0;              ///< see Simulation
   std::vector<double> law_states;         ///< State::laws; of laws that act, as old as their group
   std::vector<WrenchSchedule> schedules;  ///< one per body
   Groups groups;

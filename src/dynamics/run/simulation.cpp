@@ -249,6 +249,7 @@ std::vector<MotionPlan> Simulation::plans() const {
 }
 
 ContactTrial Simulation::contactTrial() const { return parts_->run.contactTrial(); }
+double Simulation::horizonBegins() const { return parts_->run.now().horizon_begins; }
 int Simulation::maxSubsteps() const { return parts_->run.now().groups.maxSubsteps(); }
 double Simulation::magnification() const { return parts_->run.now().magnification(); }
 std::int64_t Simulation::evaluations() const { return parts_->run.now().evaluations(); }

@@ -59,7 +59,8 @@ bool holdsByTrials(const std::vector<MotionPlan>& plans) {
 }
 
 bool holdsTolerance(const Simulation& simulation) {
-  return isWithinTolerance(simulation.errorEstimate(), simulation.time(),
+  return isWithinTolerance(simulation.errorEstimate(),
+                           simulation.time() - simulation.horizonBegins(),
                            simulation.world().solver) &&
          holdsByTrials(simulation.plans()) && simulation.time() < simulation.contactTrial().lost_at;
 }

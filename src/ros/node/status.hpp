@@ -24,9 +24,9 @@ struct Health {
 /// caller. Energy and momenta are those of totalsOf; balances are not numbers unless tracked.
 void addFigures(const Simulation& simulation, SimStatus& status);
 
-/// Whether an attitude error estimated at a time is one that auto promises: nothing is promised
-/// beyond the horizon, or of an integrator that the scene names. The position is not judged: its
-/// error is promised relative to the length of the path, which nobody keeps.
+/// Whether an attitude error estimated at a time [s] of the horizon is one that auto promises:
+/// nothing is promised beyond the horizon, or of an integrator that the scene names. The position
+/// is not judged: its error is promised relative to the length of the path, which nobody keeps.
 bool isWithinTolerance(const ErrorEstimate& error, double time, const SolverOptions& solver);
 
 /// Whether auto found an integrator that holds the scene's tolerance wherever it needed one, and no

@@ -205,5 +205,25 @@ TEST(Promise, IsMadeAnewByAReset) {
   EXPECT_TRUE(std::isinf(sim.errorEstimate().lost_at));
 }
 
+// What the trial has found is of the motion from its start, which comes later now.
+TEST(Promise, CountsFromAResetThatLetsTimeRunOn) {
+  Bench bench = hardLanding();
+  bench.world.solver.horizon = 3;
+  Simulation sim = bench.simulation("auto", 0.005);
+  const double lost_at = sim.contactTrial().lost_at;
+  while (sim.time() < 3.5) sim.step();
+  const double reset_at = sim.time();
+  sim.reset(false);
+  EXPECT_EQ(sim.horizonBegins(), reset_at);
+  EXPECT_EQ(sim.contactTrial().lost_at, reset_at + lost_at);
+  sim.trackError();
+  while (sim.time() < reset_at + 3) sim.step();
+  EXPECT_GT(sim.errorEstimate().lost_at, reset_at);
+  EXPECT_LT(sim.errorEstimate().lost_at, reset_at + 3);
+  sim.reset(true);
+  EXPECT_EQ(sim.horizonBegins(), 0);
+  EXPECT_EQ(sim.contactTrial().lost_at, lost_at);
+}
+
 }  // namespace
 }  // namespace rigid_body_sim
