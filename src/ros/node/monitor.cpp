@@ -51,6 +51,10 @@ void Monitor::warnOfLostTolerance() {
   has_warned_ = !warning.empty();
 }
 
+void Monitor::beginWhereAskedFor() {
+  if (!tracked_ && hasSubscribers()) track(true);
+}
+
 void Monitor::report(Health health, Clock::time_point now) {
   track(hasSubscribers());
   next_report_ = now + kMonitorPeriod;

@@ -29,6 +29,10 @@ class Monitor {
   /// What is to be filled in of health is said there.
   void report(Health health, Clock::time_point now);
 
+  /// Tracks balances and estimates from now on where somebody has subscribed to them since the last
+  /// report; they end at a report without subscribers.
+  void beginWhereAskedFor();
+
   /// Simulation time has been set.
   void restart(Clock::time_point now);
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <vector>
 
 #include <geometry_msgs/Vector3.h>
@@ -121,6 +122,20 @@ TEST_F(Transport, StatusIsReportedOnceTheQueueReportsAListener) {
   ASSERT_TRUE(NodeDriver::waitFor([&] { return reports.size() == 2; }));
   EXPECT_EQ(reports[0].overruns, 2U);
   EXPECT_EQ(reports[1].overruns, 3U);
+}
+
+// Steps that are taken before the next report count in the balance.
+TEST_F(Transport, BalancesBeginOnceTheQueueReportsAListener) {
+  Simulation simulation{World(), State()};
+  const TimeOrigin origin;
+  Monitor monitor(nh, private_nh, "world", simulation, origin);
+  std::vector<SimStatus> reports;
+  const ros::Subscriber listener = connectedTo("status", reports);
+  monitor.beginWhereAskedFor();
+  EXPECT_TRUE(std::isnan(simulation.balance().energy));
+  queue.callAvailable();
+  monitor.beginWhereAskedFor();
+  EXPECT_FALSE(std::isnan(simulation.balance().energy));
 }
 
 }  // namespace rigid_body_sim
