@@ -125,6 +125,26 @@ TEST(Outputs, HaveTheFramesOnABodyWhileItIsPresent) {
             run.origin.stamp(run.simulation.time()));
 }
 
+// Else rviz would have no frame for it before a step is taken.
+TEST(Outputs, SendTheFrameOfABodyThatComesInWhileTimeStands) {
+  test::PublishedRun run(0.01);
+  run.steps(2);
+  run.outputs.setStanding(true);
+  run.simulation.setPresent(1, std::nullopt);
+  run.outputs.followBodies();
+  const std::size_t before = run.published.tf.size();
+  run.simulation.setPresent(1, initialState(run.scene, run.world).bodies[1]);
+  run.outputs.followBodies();
+  ASSERT_EQ(run.published.tf.size(), before + 1);
+  EXPECT_EQ(children(run.published.tf.back()), std::vector<std::string>{"ball"});
+  run.outputs.setStanding(false);
+  run.simulation.setPresent(1, std::nullopt);
+  run.outputs.followBodies();
+  run.simulation.setPresent(1, initialState(run.scene, run.world).bodies[1]);
+  run.outputs.followBodies();
+  EXPECT_EQ(run.published.tf.size(), before + 1);  // the next state is due soon
+}
+
 TEST(Outputs, AreReadyForALawOfWhichABodyIsAbsent) {
   const Scene scene = parseScene(R"(
 time_step: 0.01

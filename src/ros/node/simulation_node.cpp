@@ -174,6 +174,7 @@ void SimulationNode::publishWithinStep(const std::function<void()>& publish) {
 
 /// One step, and what is to be published within and after it.
 void SimulationNode::advance() {
+  monitor_.beginWhereAskedFor();
   time_.origin().stamp(nextTime());  // throws where ROS time ends
   if (outputs_.instantWithinStep())
     publishWithinStep([this] { outputs_.publishWithinStep(nextTime()); });
@@ -238,7 +239,9 @@ void SimulationNode::follow(const SimulationInput& input) {
   lockstep_.restart();
   outputs_.setStanding(paused_);
   restartClocks();
-  if (!paused_) outputs_.publishDue();  // a run begins with the state at its start
+  // a run begins with the state at its start, whether it is due there or not
+  if (!paused_) outputs_.publishDue();
+  outputs_.publishNow();
   waitInStep();
 }
 

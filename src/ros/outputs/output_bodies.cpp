@@ -65,12 +65,16 @@ void Outputs::followBodies() {
   followed_changes_ = simulation_->worldChanges();
   const std::vector<Body>& bodies = simulation_->world().bodies;
   std::set<std::string> leaving;
+  std::vector<std::size_t> entering;
   bool changed = false, frames_changed = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].absent == absent_[i]) continue;
     changed = true;
     frames_changed |= messages_.hasFramesOn(i);
-    if (!bodies[i].absent) continue;
+    if (!bodies[i].absent) {
+      if (moves(bodies[i])) entering.push_back(i);
+      continue;
+    }
     leaving.insert(bodies[i].name);
     live_markers_.endTrail(i);
   }
@@ -83,6 +87,9 @@ void Outputs::followBodies() {
   // not latched: whoever comes later is not to delete anything
   if (!leaving.empty()) topics_.live_markers.publish(markers_.deletions(leaving), stamp);
   markers_.publish(absentBodies(), stamp);
+  // while time stands no state is due that would show them
+  if (standing_ && !entering.empty() && topics_.tf.subscribers() > 0)
+    topics_.tf.publish(messages_.transforms(entering, shown(), stamp), stamp);
 }
 
 }  // namespace rigid_body_sim
