@@ -149,7 +149,8 @@ TEST(Extremes, OfStiffnessStopTheRunWithAMessageOrWarn) {
   expectSaid("t = 0 s: body 'body': a step spans 1e+06 rad", of("1e+18", stiff));
   expectSaid("t = 0 s: body 'body': a step spans 1e+147 rad", of("1e+300", stiff));
   // the trial cannot afford a truth to compare its integrators with
-  EXPECT_EQ(springs(kAuto, {1e12})[0].warned, "no integrator was found to hold the scene's tolerance");
+  EXPECT_EQ(springs(kAuto, {1e12})[0].warned,
+            "no integrator was found to hold the scene's tolerance");
 }
 
 // closed forms of a ball on a linear spring; what is left is rounding

@@ -190,8 +190,8 @@ class Simulation {
   /// How steps in contact are bounded. Of a scene without contact it means nothing.
   ContactTrial contactTrial() const;
 
-  /// [s] From when the scene's horizon counts: 0, or, where a reset has let time run on, later by as
-  /// much as the run began anew after its start.
+  /// [s] From when the scene's horizon counts: 0, or, where a reset has let time run on, later by
+  /// as much as the run began anew after its start.
   double horizonBegins() const;
 
   /// Largest number of substeps that a step was divided into so far, because something turned,
