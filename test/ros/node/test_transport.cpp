@@ -55,6 +55,15 @@ ros::Subscriber connectedTo(const std::string& topic, std::vector<Message>& rece
   return subscriber;
 }
 
+/// A monitor whose queue has not been told of its listener yet.
+struct TransportOfMonitor : Transport {
+  Simulation simulation{World(), State()};
+  TimeOrigin origin;
+  Monitor monitor{nh, private_nh, "world", simulation, origin};
+  std::vector<SimStatus> reports;
+  ros::Subscriber listener = connectedTo("status", reports);
+};
+
 }  // namespace
 
 // Asking roscpp searches all publications of the node: with two for each body, a tick would be
@@ -105,12 +114,7 @@ TEST_F(Transport, HandlesAreKeptAliveOnceTheQueueReportsAViewer) {
   EXPECT_EQ(updates[1].type, InteractiveMarkerUpdate::KEEP_ALIVE);
 }
 
-TEST_F(Transport, StatusIsReportedOnceTheQueueReportsAListener) {
-  Simulation simulation{World(), State()};
-  const TimeOrigin origin;
-  Monitor monitor(nh, private_nh, "world", simulation, origin);
-  std::vector<SimStatus> reports;
-  const ros::Subscriber listener = connectedTo("status", reports);
+TEST_F(TransportOfMonitor, StatusIsReportedOnceTheQueueReportsAListener) {
   Health health;
   for (const unsigned overruns : {1U, 2U}) {
     health.status.overruns = overruns;
@@ -125,12 +129,7 @@ TEST_F(Transport, StatusIsReportedOnceTheQueueReportsAListener) {
 }
 
 // Steps that are taken before the next report count in the balance.
-TEST_F(Transport, BalancesBeginOnceTheQueueReportsAListener) {
-  Simulation simulation{World(), State()};
-  const TimeOrigin origin;
-  Monitor monitor(nh, private_nh, "world", simulation, origin);
-  std::vector<SimStatus> reports;
-  const ros::Subscriber listener = connectedTo("status", reports);
+TEST_F(TransportOfMonitor, BalancesBeginOnceTheQueueReportsAListener) {
   monitor.beginWhereAskedFor();
   EXPECT_TRUE(std::isnan(simulation.balance().energy));
   queue.callAvailable();
