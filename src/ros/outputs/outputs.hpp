@@ -12,11 +12,14 @@
 #include "ros/options/node_options.hpp"
 #include "ros/outputs/body_markers.hpp"
 #include "ros/outputs/body_messages.hpp"
+#include "ros/outputs/body_outputs.hpp"
 #include "ros/outputs/contact_output.hpp"
 #include "ros/outputs/imu_output.hpp"
 #include "ros/outputs/instants.hpp"
 #include "ros/outputs/live_markers.hpp"
 #include "ros/outputs/output_topics.hpp"
+#include "ros/outputs/shown_bodies.hpp"
+#include "ros/outputs/shown_state.hpp"
 #include "ros/outputs/snapshot.hpp"
 
 namespace rigid_body_sim {
@@ -65,7 +68,7 @@ class Outputs {
   void publishNow();
 
   /// Whether time stands. Then whoever subscribes is sent the standing state at once.
-  void setStanding(bool standing) { standing_ = standing; }
+  void setStanding(bool standing) { shown_.setStanding(standing); }
 
   /// While time stands: /clock again, and the standing state, but not /tf, where a repeated stamp
   /// raises a warning in every listener.
@@ -84,7 +87,7 @@ class Outputs {
 
   /// Another simulation of the same scene is watched from now on.
   void watch(const Simulation& simulation) {
-    simulation_ = &simulation;
+    shown_.watch(simulation);
     takeInput();
   }
 
@@ -101,59 +104,44 @@ class Outputs {
   void breakTrails() { live_markers_.breakTrails(); }
 
   /// The last stamp of a state or a clock; that of the present step where there was none.
-  ros::Time lastStamp() const;
+  ros::Time lastStamp() const { return shown_.lastStamp(); }
 
   /// [s] The last time that has been published, or that of the present step if that is later.
-  double shownTime() const;
+  double shownTime() const { return shown_.time(); }
 
  private:
   void publishOnce();
-  template <class ToMessage>
-  auto greeting(ToMessage toMessage, std::optional<std::size_t> body = std::nullopt);
   void greet();
-  void greet(const BodyTopics& topics);
   void take(std::size_t body, std::optional<BodyTopics> topics);
   void listBodies();
   std::set<std::string> absentBodies() const;
-  bool isAbsent(std::size_t body) const { return simulation_->world().bodies[body].absent; }
   void publishAt(double t, double reach);
   void publishState(double t, bool with_markers);
   void publishClock(double t);
-  void publishBodyTopics(const Snapshot& snapshot, const ros::Time& stamp);
-  void publishMotions(const Snapshot& snapshot, const ros::Time& stamp);
+  void publishAsked(const Snapshot& snapshot, const ros::Time& stamp);
   void setStates(const Snapshot& snapshot, const ros::Time& stamp);
   double nextOfAll() const;
   bool asksForState();
-  void findAsked();
-  Snapshot shown() const { return Snapshot(*simulation_, shownTime()); }
 
-  OutputTopics topics_;
-  const Simulation* simulation_;
-  StatesWithin within_;  // the step of that, at state_instants_
+  OutputTopics topics_;  // but for those of single bodies
   const TimeOrigin& origin_;
+  ShownState shown_;
+  StatesWithin within_;  // the step of what is shown, at state_instants_
   BodyMessages messages_;
-  std::optional<std::size_t> asked_changes_;   // of subscribers; see asksForState
-  bool asks_for_state_ = false;                // as of then
-  std::vector<const BodyTopics*> asked_;       // likewise: those with subscribers
-  std::vector<std::size_t> listed_;            // bodies taken in, ascending
-  std::vector<std::size_t> moving_, present_;  // those of them that move, that are not absent
+  ShownBodies bodies_;
+  BodyOutputs body_outputs_;
+  std::optional<std::size_t> asked_changes_;  // of subscribers; see asksForState
+  bool asks_for_state_ = false;               // as of then
   bool publish_clock_;
-  bool standing_ = false;
   Instants state_instants_;
   Instants clock_instants_;
   Instants marker_instants_;
-  using LastStamp = std::optional<ros::Time>;  // none yet; zero is a stamp like others
-  LastStamp last_state_stamp_;
-  LastStamp last_clock_stamp_;
-  LastStamp greeted_;  // on /tf, while time stood
-  double last_t_ = 0;
-  BodyStates states_;  // of listed_, kept for its names
+  std::optional<ros::Time> greeted_;  // on /tf, while time stood
+  BodyStates states_;                 // of the bodies that are present, kept for its names
   ContactOutput contacts_;
   ImuOutput imus_;
   LiveMarkers live_markers_;
   BodyMarkers markers_;
-  std::vector<bool> absent_;          // by body, as they are shown
-  std::size_t followed_changes_ = 0;  // of the world; see followBodies
 };
 
 }  // namespace rigid_body_sim
