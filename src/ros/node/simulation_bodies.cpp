@@ -7,7 +7,7 @@ namespace rigid_body_sim {
 void SimulationNode::followBodies() {
   if (simulation_.worldChanges() == followed_changes_) return;
   followed_changes_ = simulation_.worldChanges();
-  wrenches_.followBodies();
+  interfaces_.followBodies();
   outputs_.followBodies();
   for (const Body& body : simulation_.world().bodies) handles_.show(body.name, !body.absent);
 }

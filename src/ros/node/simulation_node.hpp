@@ -16,14 +16,10 @@
 
 #include "programs/step_watch.hpp"
 #include "ros/clock/timekeeper.hpp"
-#include "ros/inputs/command_interfaces.hpp"
-#include "ros/inputs/input_context.hpp"
-#include "ros/inputs/mass_service.hpp"
-#include "ros/inputs/presence_service.hpp"
-#include "ros/inputs/state_files.hpp"
-#include "ros/inputs/state_services.hpp"
-#include "ros/inputs/wind_interface.hpp"
-#include "ros/inputs/wrench_interfaces.hpp"
+#include "ros/inputs/input_interfaces.hpp"
+#include "ros/inputs/inputs.hpp"
+#include "ros/inputs/lockstep.hpp"
+#include "ros/inputs/refusals.hpp"
 #include "ros/mouse/handle_topics.hpp"
 #include "ros/mouse/mouse.hpp"
 #include "ros/node/monitor.hpp"
@@ -96,14 +92,7 @@ class SimulationNode {
   Mouse mouse_;
   HandleTopics handles_;
   Lockstep lockstep_;
-  InputContext input_context_;
-  WrenchInterfaces wrenches_;
-  CommandInterfaces commands_;
-  WindInterface wind_;
-  MassService mass_;
-  PresenceService presence_;
-  StateServices states_;
-  StateFiles state_files_;
+  InputInterfaces interfaces_;
   ros::ServiceServer pause_, step_, reset_, real_time_factor_;
   StepWatch watch_{[](const std::string& text) { ROS_WARN("%s", text.c_str()); }};
 };
