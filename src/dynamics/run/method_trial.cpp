@@ -11,7 +11,7 @@
 namespace rigid_body_sim {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 /// What the integrators are compared with.
 struct Truth {
@@ -29,7 +29,7 @@ struct Truth {
 Truth truthOf(const TrialRuns& trial) {
   Truth truth;
   double last_cost = 0;
-  double last_error = kNever;
+  double last_error = kUnknown;
   std::int64_t last_rough_steps = std::numeric_limits<std::int64_t>::max();
   for (int substeps = 1; substeps <= trial.maxSubsteps();) {
     const std::optional<TrialRun>& run = truth.runs[substeps] =
@@ -59,9 +59,9 @@ Truth truthOf(const TrialRuns& trial) {
 /// A number of substeps that was tried.
 struct Tried {
   int substeps = 0;
-  double cost = kNever;
-  double error = kNever;   ///< as a share of the tolerance
-  double excess = kNever;  ///< of what was found over what is allowed; up to 1 it holds
+  double cost = kUnknown;
+  double error = kUnknown;   ///< as a share of the tolerance
+  double excess = kUnknown;  ///< of what was found over what is allowed; up to 1 it holds
 
   bool holds() const { return excess <= 1; }
 
@@ -73,7 +73,7 @@ struct Tried {
 class Search {
  public:
   Search(const TrialRuns& trial, const Truth& truth) : trial_(trial), truth_(truth) {
-    best_.error = kNever;
+    best_.error = kUnknown;
     best_.holds = false;
   }
 
@@ -106,7 +106,8 @@ class Search {
 
  private:
   static constexpr double kMargin = 0.5;  // of the tolerance: the truth is itself a computed motion
-  static constexpr double kEstimate = 1;  // of the tolerance
+  static constexpr double kEstimate =
+      1;  // of the tolerance, from where on the status says that it is lost
 
   bool isCheaper(const Method& method, double substeps) const {
     return substeps * method.cost < best_cost_;
@@ -120,7 +121,7 @@ class Search {
   /// error_else: taken for that of a method that cannot follow.
   Tried tryOnLadder(const Method& method, int substeps, double error_else) const {
     const auto judgedOr = [&](const std::optional<TrialRun>& run) {
-      return run ? judged(*run) : Tried{substeps, kNever, error_else, kNever};
+      return run ? judged(*run) : Tried{substeps, kUnknown, error_else, kUnknown};
     };
     const auto known = truth_.runs.find(substeps);
     if (&method == &Truth::method() && known != truth_.runs.end()) return judgedOr(known->second);
@@ -131,7 +132,7 @@ class Search {
   /// is allowed: what the simulation estimates of it must not be beyond the tolerance, either.
   Tried tryBetween(const Method& method, int substeps) {
     const std::optional<TrialRun> run = trial_.run(method, substeps);
-    if (!run) return {substeps, kNever, kNever, kNever};
+    if (!run) return {substeps, kUnknown, kUnknown, kUnknown};
     Tried tried = judged(*run);
     if (!tried.holds() || tried.cost >= best_cost_) return tried;
     tried.excess =
@@ -166,7 +167,7 @@ class Search {
   const TrialRuns& trial_;
   const Truth& truth_;
   MethodChoice best_ = errorControlled();
-  double best_cost_ = kNever;
+  double best_cost_ = kUnknown;
 };
 
 }  // namespace
