@@ -21,10 +21,10 @@ const std::vector<Method>& catalogue() {
       {"semi_implicit_euler", 1, 1,  1, 0.8,  0.9, kKeepsFreeL | kFeedsLeastAxis, kAll | kThrust, semiImplicitEulerStep},
       {"strang",              2, 2,  1, 0.8,  1,   kGeometric, kUndamped | kThrust, strangStep},
       {"magnus4",             2, 4,  1, 0.4,  1,   kKeepsFreeL, kUndamped | kThrust, magnus4Step},
-      {"rk4",                 4, 4,  4, 0.4,  1.6, 0,                    kAll | kMotors,      rk4Step},
+      {"rk4",                 4, 4,  4, 0.4,  1.9, 0,                    kAll | kMotors,      rk4Step},
       {"blanes_moan6",        6, 0, 14, 1.6, 56,   kGeometric,           kCoupling, blanesMoan6Step},
       {"kahan_li8",           8, 8, 17, 0.8, 15,   kGeometric,           kCoupling, kahanLi8Step},
-      {"dop853",              8, 8, 12, 1.6,  7.7, kEstimatesError,           kAll | kMotors | kContact,  dop853Step},
+      {"dop853",              8, 8, 12, 1.6,  6.6, kEstimatesError,           kAll | kMotors | kContact,  dop853Step},
       {"taylor",             16, 16, 1, kAnyTurn, 2.1, kSolves | kKeepsFreeL, kMotors,    taylorStep},
   };
   // clang-format on

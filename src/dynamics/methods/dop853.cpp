@@ -12,6 +12,15 @@ namespace {
 using dop853::kStages;
 using Weights = std::array<double, kStages>;
 
+/// Σ weights[s] dots[n s] over stages. A fourth of the weights are zeros, which add nothing.
+BodyStateDot weighted(const Weights& weights, std::size_t stages, const BodyStateDot* dots,
+                      std::size_t n) {
+  BodyStateDot sum;
+  for (std::size_t s = 0; s < stages; ++s)
+    if (weights[s] != 0) accumulate(dots[s * n], weights[s], sum);
+  return BodyStateDot(sum);  // a copy, so that the sum is kept in registers
+}
+
 /// x^(9/4)
 double power9_4(double x) { return x * x * std::sqrt(std::sqrt(x)); }
 
@@ -27,11 +36,8 @@ double errorEstimate(const System& system, double h, const std::vector<BodyState
   const std::size_t n = states.size();
   double worst = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    BodyStateDot error5, error3;
-    for (std::size_t s = 0; s < kStages; ++s) {
-      accumulate(dots[s * n + i], dop853::kE5[s], error5);
-      accumulate(dots[s * n + i], dop853::kB[s], error3);
-    }
+    const BodyStateDot error5 = weighted(dop853::kE5, kStages, &dots[i], n);
+    BodyStateDot error3 = weighted(dop853::kB, kStages, &dots[i], n);
     accumulate(dots[0 * n + i], -dop853::kB3_0, error3);
     accumulate(dots[8 * n + i], -dop853::kB3_8, error3);
     accumulate(dots[11 * n + i], -dop853::kB3_11, error3);
@@ -101,12 +107,9 @@ void evaluateStages(const System& system, double h, const SystemState& states,
   workspace.stages = states;
   std::vector<double> law_rates;
   for (std::size_t stage = 0; stage < kStages; ++stage) {
-    for (std::size_t i = 0; stage > 0 && i < n; ++i) {
-      BodyStateDot sum;
-      for (std::size_t s = 0; s < stage; ++s)
-        accumulate(dots[s * n + i], dop853::kA[stage][s], sum);
-      workspace.stages.bodies[i] = stagePoint(states.bodies[i], sum, h);
-    }
+    for (std::size_t i = 0; stage > 0 && i < n; ++i)
+      workspace.stages.bodies[i] =
+          stagePoint(states.bodies[i], weighted(dop853::kA[stage], stage, &dots[i], n), h);
     if (stage > 0 && laws > 0)
       advanceLaws(h, dop853::kA[stage], stage, workspace, states.laws, workspace.stages.laws);
     if (laws > 0)
@@ -121,12 +124,9 @@ void evaluateStages(const System& system, double h, const SystemState& states,
 
 void endStep(const System& system, double h, const Workspace& workspace, SystemState& states) {
   const std::size_t n = states.bodies.size(), laws = workspace.law_dots.size() / kStages;
-  for (std::size_t i = 0; i < n; ++i) {
-    BodyStateDot sum;
-    for (std::size_t s = 0; s < kStages; ++s)
-      accumulate(workspace.dots[s * n + i], dop853::kB[s], sum);
-    states.bodies[i] = stepEnd(states.bodies[i], sum, h);
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    states.bodies[i] =
+        stepEnd(states.bodies[i], weighted(dop853::kB, kStages, &workspace.dots[i], n), h);
   if (laws == 0) return;
   advanceLaws(h, dop853::kB, kStages, workspace, states.laws, states.laws);
   addSpin(system, states);

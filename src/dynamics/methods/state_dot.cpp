@@ -9,20 +9,14 @@ BodyStateDot stateDot(const Body& body, const BodyState& state, const Wrench& wr
   const Quaterniond half_w(0, 0.5 * w_P.x(), 0.5 * w_P.y(), 0.5 * w_P.z());
   BodyStateDot dot;
   dot.x_dot_W = state.p_W / body.mass;
-  dot.q_dot = product(state.q_WP, half_w).coeffs();
+  const Quaterniond q_dot = product(state.q_WP, half_w);
+  dot.q_dot = {q_dot.x(), q_dot.y(), q_dot.z(), q_dot.w()};  // in registers
   dot.p_dot_W = wrench.f_W;
   const Triple<double> differences{body.I[1] - body.I[2], body.I[2] - body.I[0],
                                    body.I[0] - body.I[1]};
   dot.L_dot_P = vectorOf(gyroscopicTorque(differences, tripleOf(w_P))) +
                 rotateBack(state.q_WP, wrench.tau_W) + wrench.tau_P;
   return dot;
-}
-
-void accumulate(const BodyStateDot& dot, double weight, BodyStateDot& sum) {
-  sum.x_dot_W += weight * dot.x_dot_W;
-  sum.q_dot += weight * dot.q_dot;
-  sum.p_dot_W += weight * dot.p_dot_W;
-  sum.L_dot_P += weight * dot.L_dot_P;
 }
 
 BodyState stagePoint(const BodyState& state, const BodyStateDot& dot, double h) {

@@ -17,7 +17,12 @@ struct BodyStateDot {
 BodyStateDot stateDot(const Body& body, const BodyState& state, const Wrench& wrench);
 
 /// sum += weight · dot
-void accumulate(const BodyStateDot& dot, double weight, BodyStateDot& sum);
+inline void accumulate(const BodyStateDot& dot, double weight, BodyStateDot& sum) {
+  sum.x_dot_W += weight * dot.x_dot_W;
+  sum.q_dot += weight * dot.q_dot;
+  sum.p_dot_W += weight * dot.p_dot_W;
+  sum.L_dot_P += weight * dot.L_dot_P;
+}
 
 /// state + h · dot, field by field; the quaternion is not unit then, and L_W is left behind. The
 /// place moves in its low part, which far out is the only one to hold it.

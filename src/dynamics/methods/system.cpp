@@ -26,7 +26,11 @@ void evaluate(const System& system, const SystemState& states, Workspace& worksp
   std::vector<Wrench>& wrenches = workspace.wrenches;
   wrenches.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    wrenches[i] = system.held[i].at(bodies[i]);
+    // zeros by themselves: a sum that is copied just after it was made is waited for
+    if (system.held[i].is_zero)
+      wrenches[i] = Wrench();
+    else
+      wrenches[i] = system.held[i].at(bodies[i]);
     if (kFields) wrenches[i].f_W += system.bodies[i]->mass * system.g_W;
   }
   for (const PointWrench& applied : system.coupled)

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -186,6 +187,45 @@ TEST(Auto, TellsTheErrorOfAControlledMotion) {
   const double error = motionErrors(sim.state(), truth).attitude;
   EXPECT_GT(sim.errorEstimate().attitude, error / 10);
   EXPECT_LT(sim.errorEstimate().attitude, 1e-6);
+}
+
+/// What dop853 errs by, at most, in so many equal substeps of a second each.
+double errorInSubsteps(const Bench& bench, int seconds, int substeps,
+                       const reference::Motions& truth) {
+  return motionErrors(bench.run("dop853", seconds, seconds * substeps), truth).attitude;
+}
+
+// Not twice as many as are needed, as where they are doubled until they hold.
+TEST(Auto, TakesHardlyMoreSubstepsThanItNeeds) {
+  constexpr int kSeconds = 2;
+  const reference::Motions truth = referenceRun(boxOnSpring(), kSeconds);
+  for (double tolerance : {1e-7, 2e-8, 4e-9, 1e-9}) {
+    Bench bench = boxOnSpring();
+    bench.world.solver.horizon = kSeconds;
+    bench.world.solver.tolerance = tolerance;
+    const MotionPlan plan = bench.simulation("auto", 1).plans()[0];
+    ASSERT_EQ(plan.integrator, "dop853");
+    EXPECT_LT(errorInSubsteps(bench, kSeconds, plan.substeps, truth), tolerance / 2) << tolerance;
+    // the margin is half the tolerance, and one substep less may just miss it
+    EXPECT_GT(errorInSubsteps(bench, kSeconds, plan.substeps - 2, truth), tolerance / 2)
+        << tolerance << ": " << plan.substeps;
+  }
+}
+
+// At an error close to the tolerance, the estimate by a run at twice the step must not say that it
+// is exceeded. Here the error falls faster than by the order, and the estimate is too great: at
+// 2e-8 by 2.7 times in the fewest substeps that hold the tolerance.
+TEST(Auto, IsNotBeyondItsToleranceByItsOwnEstimate) {
+  for (double tolerance = 1e-3; tolerance > 1e-10; tolerance /= std::cbrt(10)) {
+    Bench bench = springPair();
+    bench.world.solver.horizon = 10;
+    bench.world.solver.tolerance = tolerance;
+    Simulation sim = bench.simulation("auto", 1);
+    sim.trackError();
+    while (sim.steps() < 10) sim.step();
+    EXPECT_GT(sim.errorEstimate().attitude, 0) << tolerance;
+    EXPECT_TRUE(std::isinf(sim.errorEstimate().lost_at)) << tolerance;
+  }
 }
 
 /// Drag and buoyancy of a lone body are solved by series, whatever an integrator would need.
