@@ -4,7 +4,6 @@
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 #include "scene/files/number_text.hpp"
-#include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/readers/entry.hpp"
 #include "scene/study/read_record.hpp"
@@ -171,11 +170,6 @@ Study parseStudy(const std::string& yaml_text, const std::string& source_name,
   if (study.runs == 0) root.fail("missing key 'runs'");
   refuseManyRuns(study, root);
   return study;
-}
-
-Study loadStudy(const std::string& path, std::optional<std::int64_t> runs,
-                std::optional<std::uint64_t> seed) {
-  return parseStudy(readFile(path, "study file", kMaxSceneBytes), path, runs, seed);
 }
 
 }  // namespace rigid_body_sim

@@ -38,7 +38,9 @@ std::string fanHeader(const std::vector<double>& instants) {
 
 SweepInputs inputsOf(const SweepOptions& options) {
   SweepInputs inputs;
-  inputs.study = loadStudy(options.study, options.runs, options.seed);
+  // once: what comes through a pipe cannot be read again, and a file may be another by then
+  inputs.study_text = readFile(options.study, "study file", kMaxSceneBytes);
+  inputs.study = parseStudy(inputs.study_text, options.study, options.runs, options.seed);
   requireSceneName(options.scene);
   inputs.scene_text = readFile(options.scene, "scene file", kMaxSceneBytes);
   inputs.context.source = options.scene;
@@ -69,8 +71,7 @@ SweepJob::SweepJob(const SweepOptions& options)
 /// Of scene, study and seed, and of the files that were read for the scene and for every value that
 /// a study lists.
 std::uint64_t SweepJob::digestOfAll() const {
-  std::vector<std::string> texts = {inputs_.scene_text,
-                                    readFile(options_.study, "study file", kMaxSceneBytes),
+  std::vector<std::string> texts = {inputs_.scene_text, inputs_.study_text,
                                     std::to_string(inputs_.study.seed)};
   for (std::string& file : digestsOfFiles(runners_.front()->context()))
     texts.push_back(std::move(file));

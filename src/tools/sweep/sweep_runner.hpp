@@ -18,7 +18,7 @@ namespace rigid_body_sim {
 /// What all runs of a sweep have in common.
 struct SweepInputs {
   Study study;
-  std::string scene_text;
+  std::string scene_text, study_text;  ///< as they were read
   ReadContext context;  ///< of the scene
 };
 
