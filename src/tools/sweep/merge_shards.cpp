@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "programs/make_directory.hpp"
-#include "programs/usage.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/shard.hpp"
 
@@ -28,28 +27,13 @@ struct ShardFiles {
   }
 };
 
-/// The shard whose table has this name, such as runs.2of4.csv; none of any other file.
-std::optional<Shard> shardOf(const std::string& name) {
-  const std::string head = "runs.", tail = ".csv";
-  const std::size_t of = name.find("of");
-  if (name.rfind(head, 0) != 0 || name.size() < head.size() + tail.size() ||
-      name.substr(name.size() - tail.size()) != tail || of == std::string::npos)
-    return std::nullopt;
-  try {
-    return parseShard(name.substr(head.size(), of - head.size()) + "/" +
-                      name.substr(of + 2, name.size() - tail.size() - of - 2));
-  } catch (const UsageError&) {
-    return std::nullopt;
-  }
-}
-
 /// By their number.
 std::map<std::int64_t, ShardFiles> shardsIn(const std::vector<std::string>& directories) {
   std::map<std::int64_t, ShardFiles> shards;
   for (const std::string& directory : directories) {
     if (!fs::is_directory(directory)) throw std::runtime_error(directory + ": is no directory");
     for (const fs::directory_entry& file : fs::directory_iterator(directory)) {
-      const std::optional<Shard> shard = shardOf(file.path().filename().string());
+      const std::optional<Shard> shard = shardOfTable(file.path().filename().string());
       if (!shard) continue;
       const auto [other, is_new] = shards.emplace(shard->index, ShardFiles{*shard, directory});
       if (!is_new)

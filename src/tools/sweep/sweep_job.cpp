@@ -17,6 +17,7 @@
 #include "scene/message_text.hpp"
 #include "scene/readers/file_type.hpp"
 #include "tools/common/progress_bar.hpp"
+#include "tools/sweep/other_tables.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/scene_files.hpp"
 #include "tools/sweep/stop_signals.hpp"
@@ -153,6 +154,7 @@ SweepJob::Tables SweepJob::openTables(std::int64_t kept) const {
 
 void SweepJob::run() {
   makeDirectory(options_.directory());
+  refuseOtherDivisions(options_.directory(), shard_);
   const std::int64_t all = shard_.runsOf(info_.runs);
   const std::int64_t kept = options_.resume ? rowsToKeep() : 0;
   Tables tables = openTables(kept);

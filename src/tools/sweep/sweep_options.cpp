@@ -61,7 +61,10 @@ SweepOptions parseSweepOptions(int argc, char** argv, const Environment& environ
   if (options.help) return options;
   options.scene = files->front();
   options.study = files->back();
-  options.launched = shard ? LaunchedShard{*shard, ""} : launchedShard(environment);
+  if (shard)
+    options.launched = {*shard, ""};
+  else if (!options.run)
+    options.launched = launchedShard(environment);
   return options;
 }
 
