@@ -77,7 +77,7 @@ SweepInfo checked(const std::map<std::int64_t, ShardFiles>& shards) {
     if (files.shard.count != first.shard.count)
       throw std::runtime_error(path + ": is of another number of shards than " +
                                first.path("runs", ".csv"));
-    if (toText(infoOf(files)) != toText(info))
+    if (!isSameSweep(infoOf(files), info))
       throw std::runtime_error(path + ": is of another sweep than " + first.path("runs", ".csv"));
     requireRows(path, files.shard.runsOf(info.runs));
     if (!info.fan.empty())
@@ -141,7 +141,7 @@ void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::str
       throw std::runtime_error(table.path() + ":1: has other columns than " +
                                tables.front().first.path());
   }
-  RunTable merged = RunTable::create(out, header);
+  RunTable merged = RunTable::create(LockedFile(out), header);
   std::string rows;
   bool any = true;
   for (std::int64_t row = 0; any; ++row) {
@@ -158,27 +158,55 @@ void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::str
   }
 }
 
+/// The tables that are made in a directory, beside those that are there until they are whole.
+class MergedTables {
+ public:
+  /// Throws std::runtime_error where a sweep writes them, or where they are not of a sweep.
+  MergedTables(const fs::path& directory, bool has_fan)
+      : directory_(directory), lock_((directory / "runs.csv").string()) {
+    if (has_fan) stems_.push_back("fan");
+    for (const std::string& stem : stems_) requireTableOfASweep(path(stem), stem);
+  }
+
+  MergedTables(const MergedTables&) = delete;
+  MergedTables& operator=(const MergedTables&) = delete;
+
+  /// Removes what is not whole.
+  ~MergedTables() {
+    std::error_code is_gone;
+    for (const std::string& stem : stems_) fs::remove(part(stem), is_gone);
+    if (lock_.isNew() && !is_in_place_) fs::remove(lock_.path(), is_gone);
+  }
+
+  const std::vector<std::string>& stems() const { return stems_; }
+  std::string part(const std::string& stem) const { return path(stem) + ".part"; }
+
+  void putInPlace() {
+    for (const std::string& stem : stems_) fs::rename(part(stem), path(stem));
+    is_in_place_ = true;
+  }
+
+ private:
+  std::string path(const std::string& stem) const {
+    return (directory_ / (stem + ".csv")).string();
+  }
+
+  fs::path directory_;
+  LockedFile lock_;
+  std::vector<std::string> stems_{"runs"};
+  bool is_in_place_ = false;
+};
+
 }  // namespace
 
 SweepInfo mergeShards(const std::vector<std::string>& directories, const std::string& out) {
   const std::map<std::int64_t, ShardFiles> shards = shardsIn(directories);
   const SweepInfo info = checked(shards);
   makeDirectory(out);
-  const fs::path directory = out;
-  for (const char* stem : {"runs", "fan"}) {
-    if (std::string(stem) == "fan" && info.fan.empty()) continue;
-    const fs::path table = directory / (std::string(stem) + ".csv"),
-                   part = table.string() + ".part";
-    try {
-      interleave(shards, stem, part.string());
-      fs::rename(part, table);
-    } catch (...) {
-      std::error_code is_gone;
-      fs::remove(part, is_gone);
-      throw;
-    }
-  }
-  writeText((directory / "runs.info").string(), toText(info));
+  MergedTables tables(out, !info.fan.empty());
+  for (const std::string& stem : tables.stems()) interleave(shards, stem, tables.part(stem));
+  tables.putInPlace();
+  writeText((fs::path(out) / "runs.info").string(), toText(info));
   return info;
 }
 

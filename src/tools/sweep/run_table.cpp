@@ -2,26 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-[[noreturn]] void failToWrite(const std::string& path) {
-  throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
-}
 
 /// The place after so many rows and the header, from the start of a file.
 std::int64_t endOfRows(const std::string& path, std::int64_t rows, const Shard& shard) {
@@ -37,62 +28,22 @@ std::int64_t endOfRows(const std::string& path, std::int64_t rows, const Shard& 
 
 }  // namespace
 
-RunTable::RunTable(std::string path, int flags)
-    : path_(std::move(path)),
-      descriptor_(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags, 0666)) {
-  if (descriptor_ < 0) failToWrite(path_);
-  // a file system without locks is taken as it is
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  close(descriptor_);
-  throw std::runtime_error(path_ +
-                           ": another sweep is writing it; wait for it, or name another --out");
-}
-
-void RunTable::cutTo(std::int64_t bytes) {
-  // a device cannot be cut, and has no rows to keep
-  if (ftruncate(descriptor_, bytes) != 0 && errno != EINVAL) failToWrite(path_);
-}
-
-RunTable::RunTable(RunTable&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-RunTable::~RunTable() {
-  if (descriptor_ >= 0) close(descriptor_);
-}
-
-RunTable RunTable::create(const std::string& path, const std::string& header) {
-  RunTable table(path, O_CREAT);
-  table.cutTo(0);
+RunTable RunTable::create(LockedFile file, const std::string& header) {
+  RunTable table(std::move(file));
+  table.file_.cutTo(0);
   table.append(header + "\n");
   return table;
 }
 
-RunTable RunTable::reopen(const std::string& path, const std::string& header, std::int64_t rows,
+RunTable RunTable::reopen(LockedFile file, const std::string& header, std::int64_t rows,
                           const Shard& shard) {
   std::string line;
-  std::getline(std::ifstream(path), line);
+  std::getline(std::ifstream(file.path()), line);
   if (line != header)
-    throw std::runtime_error(path + ": is another table; remove it, or leave --resume out");
-  RunTable table(path, 0);
-  table.cutTo(endOfRows(path, rows, shard));
+    throw std::runtime_error(file.path() + ": is another table; remove it to begin anew");
+  RunTable table(std::move(file));
+  table.file_.cutTo(endOfRows(table.file_.path(), rows, shard));
   return table;
-}
-
-void RunTable::append(const std::string& rows) {
-  const off_t before = lseek(descriptor_, 0, SEEK_END);
-  for (std::size_t done = 0; done < rows.size();) {
-    const ssize_t n = write(descriptor_, rows.data() + done, rows.size() - done);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) {
-      const int why = errno;
-      // a device cannot be cut, and has no rows to keep whole
-      const bool is_cut = before >= 0 && ftruncate(descriptor_, before) == 0;
-      static_cast<void>(is_cut);
-      errno = why;
-      failToWrite(path_);
-    }
-    done += static_cast<std::size_t>(n);
-  }
 }
 
 void requireRowInPlace(const std::string& path, std::int64_t row, const std::string& line,
@@ -114,6 +65,28 @@ std::int64_t wholeRows(const std::string& path) {
   while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0)
     lines += std::count(buffer.data(), buffer.data() + in.gcount(), '\n');
   return std::max<std::int64_t>(0, lines - 1);
+}
+
+bool isTableOfASweep(const std::string& path, const std::string& stem) {
+  std::error_code is_gone;
+  // a device has no rows to lose
+  if (!std::filesystem::is_regular_file(path, is_gone)) return true;
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  if (!std::getline(in, line)) return true;
+  const std::string head = "run,", tail = ",attitude_error,position_error,status";
+  // the header may be cut where a disk was full
+  const bool is_whole = !in.eof();
+  return line.compare(0, head.size(), head) == 0 &&
+         (stem != "runs" || !is_whole ||
+          (line.size() > tail.size() &&
+           line.compare(line.size() - tail.size(), tail.size(), tail) == 0));
+}
+
+void requireTableOfASweep(const std::string& path, const std::string& stem) {
+  if (!isTableOfASweep(path, stem))
+    throw std::runtime_error(
+        path + ": is no table of a sweep, and would be replaced; remove it, or name another --out");
 }
 
 std::optional<std::string> textOf(const std::string& path) {

@@ -48,6 +48,11 @@ std::optional<SweepInfo> sweepInfoIn(const std::string& text) {
   return info;
 }
 
+bool isSameSweep(const SweepInfo& a, const SweepInfo& b) {
+  return a.digest == b.digest && a.runs == b.runs && a.varied == b.varied &&
+         a.records == b.records && a.fan == b.fan;
+}
+
 std::uint64_t digestOf(const std::vector<std::string>& texts) {
   std::uint64_t digest = 0;
   for (const std::string& text : texts) digest = drawKey(digest, text);

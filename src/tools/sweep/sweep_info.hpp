@@ -27,6 +27,9 @@ struct SweepInfo {
 std::string toText(const SweepInfo& info);
 std::optional<SweepInfo> sweepInfoIn(const std::string& text);
 
+/// Whether their rows belong together, whatever the names of their files.
+bool isSameSweep(const SweepInfo& a, const SweepInfo& b);
+
 /// A hash of texts, one after the other.
 std::uint64_t digestOf(const std::vector<std::string>& texts);
 

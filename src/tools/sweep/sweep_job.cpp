@@ -105,22 +105,45 @@ std::string SweepJob::writeScene(std::int64_t number) {
 
 /// Rows that an interrupted sweep has finished, in both tables.
 std::int64_t SweepJob::rowsToKeep() const {
-  const std::optional<std::string> info = textOf(path("runs", ".info"));
   const std::string table = path("runs", ".csv");
   const std::int64_t there = wholeRows(table);
-  if (there == 0) return 0;
+  if (!options_.resume || there == 0) {
+    refuseToReplace(there);
+    return 0;
+  }
+  const std::optional<std::string> info = textOf(path("runs", ".info"));
   if (!info)
-    throw std::runtime_error(table + ": of which sweep it is would stand in " +
-                             path("runs", ".info") +
-                             ", which is not there; remove the table, or leave --resume out");
+    throw std::runtime_error(table + ": " + path("runs", ".info") +
+                             ", which says of which sweep the rows are, is not there; put it back, "
+                             "or remove the table to begin anew");
   if (info != toText(info_))
     throw std::runtime_error(table +
                              ": is of another sweep: the scene, the study, the seed, or a file "
-                             "that the scene names is another; remove it, or leave --resume out");
+                             "that the scene names is another; name another --out, or remove it "
+                             "to begin anew");
   const std::int64_t rows = std::min(there, shard_.runsOf(info_.runs));
   if (info_.fan.empty()) return rows;
   const std::int64_t fan = wholeRows(path("fan", ".csv"));
   return fan < std::min(rows, shard_.runsOf(info_.fanRuns())) ? fan : rows;
+}
+
+/// Rows must not be lost that take a user by surprise.
+void SweepJob::refuseToReplace(std::int64_t rows) const {
+  const std::string table = path("runs", ".csv");
+  requireTableOfASweep(table, "runs");
+  if (!info_.fan.empty()) requireTableOfASweep(path("fan", ".csv"), "fan");
+  if (rows == 0) return;
+  const auto info = sweepInfoIn(textOf(path("runs", ".info")).value_or(""));
+  const std::int64_t all = info ? shard_.runsOf(info->runs) : 0;
+  if (info && rows >= all) return;
+  const std::string holds = table + ": holds " + std::to_string(rows) + " " +
+                            (info ? "of " + std::to_string(all) + " " : "") + "runs of ";
+  if (info && isSameSweep(*info, info_))
+    throw std::runtime_error(holds + "this sweep; --resume goes on, or remove it to begin anew");
+  std::fprintf(stderr, "%s\n",
+               noticeLine("sweep", holds + (info ? info->title : "an unknown sweep") +
+                                       ", which are replaced")
+                   .c_str());
 }
 
 /// What meshes the first has read the others need not read again.
@@ -137,17 +160,17 @@ struct SweepJob::Tables {
 };
 
 /// Opens them after the rows that are kept; none: anew.
-SweepJob::Tables SweepJob::openTables(std::int64_t kept) const {
-  const auto open = [&](const std::string& stem, const std::string& header, std::int64_t rows) {
-    const std::string file = path(stem, ".csv");
-    return kept > 0 ? RunTable::reopen(file, header, rows, shard_) : RunTable::create(file, header);
+SweepJob::Tables SweepJob::openTables(LockedFile runs, std::int64_t kept) const {
+  const auto open = [&](LockedFile file, const std::string& header, std::int64_t rows) {
+    return kept > 0 ? RunTable::reopen(std::move(file), header, rows, shard_)
+                    : RunTable::create(std::move(file), header);
   };
   const SweepRunner& runner = *runners_.front();
-  Tables tables{open("runs", joined(runner.columns()), kept), std::nullopt};
+  Tables tables{open(std::move(runs), joined(runner.columns()), kept), std::nullopt};
   // before any row: rows without a description cannot be gone on with
   if (kept == 0) writeText(path("runs", ".info"), toText(info_));
   if (!info_.fan.empty())
-    tables.fan.emplace(open("fan", fanHeader(runner.fanInstants()),
+    tables.fan.emplace(open(LockedFile(path("fan", ".csv")), fanHeader(runner.fanInstants()),
                             std::min(kept, shard_.runsOf(info_.fanRuns()))));
   return tables;
 }
@@ -155,9 +178,10 @@ SweepJob::Tables SweepJob::openTables(std::int64_t kept) const {
 void SweepJob::run() {
   makeDirectory(options_.directory());
   refuseOtherDivisions(options_.directory(), shard_);
+  LockedFile runs(path("runs", ".csv"));
   const std::int64_t all = shard_.runsOf(info_.runs);
-  const std::int64_t kept = options_.resume ? rowsToKeep() : 0;
-  Tables tables = openTables(kept);
+  const std::int64_t kept = rowsToKeep();
+  Tables tables = openTables(std::move(runs), kept);
   addRunners(all - kept);
 
   const StopSignals signals;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "tools/sweep/locked_file.hpp"
 #include "tools/sweep/sweep_info.hpp"
 #include "tools/sweep/sweep_options.hpp"
 #include "tools/sweep/sweep_pool.hpp"
@@ -34,7 +35,8 @@ class SweepJob {
   std::string path(const std::string& stem, const std::string& extension) const;
   std::uint64_t digestOfAll() const;
   std::int64_t rowsToKeep() const;
-  Tables openTables(std::int64_t kept) const;
+  void refuseToReplace(std::int64_t rows) const;
+  Tables openTables(LockedFile runs, std::int64_t kept) const;
   void addRunners(std::int64_t runs);
   void report(const SweepOutcome& outcome, std::int64_t kept) const;
 

@@ -19,7 +19,7 @@ namespace rigid_body_sim {
 struct SweepInputs {
   Study study;
   std::string scene_text, study_text;  ///< as they were read
-  ReadContext context;  ///< of the scene
+  ReadContext context;                 ///< of the scene
 };
 
 /// How a run ended: its rows, each with its end of line.

@@ -266,7 +266,7 @@ TEST(SweepProgram, MergesNothingThatIsNotWhole) {
   EXPECT_NE(sweep("merge " + out).out.find("of 300 rows; finish it with --resume"),
             std::string::npos);
   EXPECT_FALSE(std::ifstream(out + "/runs.csv").good());
-  ASSERT_EQ(sweep(command + " --shard 2/2").exit_code, 0);
+  ASSERT_EQ(sweep(command + " --shard 2/2 --resume").exit_code, 0);
   const std::string fan = fileText(out + "/fan.2of2.csv");
   files.written("out/fan.2of2.csv", fan.substr(0, fan.size() / 2));
   EXPECT_NE(sweep("merge " + out).out.find("fan.2of2.csv: has "), std::string::npos);

@@ -50,8 +50,9 @@ TEST(SweepProgram, GoesOnWithNoTableThatSomebodyHasChanged) {
       0U);
   ASSERT_EQ(remove((out + "/runs.info").c_str()), 0);
   EXPECT_EQ(test::sweep(command + " --resume").out,
-            "sweep: " + out + "/runs.csv: of which sweep it is would stand in " + out +
-                "/runs.info, which is not there; remove the table, or leave --resume out\n");
+            "sweep: " + out + "/runs.csv: " + out +
+                "/runs.info, which says of which sweep the rows are, is not there; put it back, or "
+                "remove the table to begin anew\n");
 }
 
 TEST(SweepProgram, MergesMoreShardsThanAProcessMayHaveFilesOpen) {

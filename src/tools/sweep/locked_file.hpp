@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace rigid_body_sim {
+
+/// A file that is open for appending, and that no other process may open so meanwhile.
+class LockedFile {
+ public:
+  /// Makes it where it is not there. Throws std::runtime_error where it cannot be written, or is
+  /// open in another process, and then leaves it as it was.
+  explicit LockedFile(std::string path);
+  LockedFile(LockedFile&& other) noexcept;
+  LockedFile& operator=(LockedFile&&) = delete;
+  ~LockedFile();
+
+  const std::string& path() const { return path_; }
+
+  /// Whether it was not there before.
+  bool isNew() const { return is_new_; }
+
+  /// Cuts off what is behind so many bytes. Throws std::runtime_error.
+  void cutTo(std::int64_t bytes);
+
+  /// Appends all of a text, or nothing. Throws std::runtime_error.
+  void append(const std::string& text);
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+  bool is_new_ = false;
+};
+
+/// Throws std::runtime_error for what errno says.
+[[noreturn]] void failToWrite(const std::string& path);
+
+}  // namespace rigid_body_sim
