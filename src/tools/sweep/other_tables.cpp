@@ -1,6 +1,7 @@
 #include "tools/sweep/other_tables.hpp"
 
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 namespace rigid_body_sim {
@@ -19,6 +20,23 @@ std::string inWords(const Shard& shard) {
       "or name another --out, or remove it");
 }
 
+/// Whether a sweep may have written the file.
+bool isTableOfASweep(const std::string& path, const std::string& stem) {
+  std::error_code is_gone;
+  // a device has no rows to lose
+  if (!std::filesystem::is_regular_file(path, is_gone)) return true;
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  if (!std::getline(in, line)) return true;
+  const std::string head = "run,", tail = ",attitude_error,position_error,status";
+  // the header may be cut where a disk was full
+  const bool is_whole = !in.eof();
+  return line.compare(0, head.size(), head) == 0 &&
+         (stem != "runs" || !is_whole ||
+          (line.size() > tail.size() &&
+           line.compare(line.size() - tail.size(), tail.size(), tail) == 0));
+}
+
 }  // namespace
 
 void refuseOtherDivisions(const std::string& directory, const Shard& shard) {
@@ -34,6 +52,12 @@ void refuseOtherDivisions(const std::string& directory, const Shard& shard) {
   std::error_code is_gone;
   if (shard.count > 1 && !has_same && fs::exists(whole, is_gone))
     refuse(whole.string(), Shard{}, shard);
+}
+
+void requireTableOfASweep(const std::string& path, const std::string& stem) {
+  if (!isTableOfASweep(path, stem))
+    throw std::runtime_error(
+        path + ": is no table of a sweep, and would be replaced; remove it, or name another --out");
 }
 
 }  // namespace rigid_body_sim

@@ -10,4 +10,8 @@ namespace rigid_body_sim {
 /// one is of: runs would be made twice, and the tables could not be merged.
 void refuseOtherDivisions(const std::string& directory, const Shard& shard);
 
+/// Throws std::runtime_error for a file that no sweep may have written: there is one, something is
+/// in it, and it is no table. stem: runs or fan.
+void requireTableOfASweep(const std::string& path, const std::string& stem);
+
 }  // namespace rigid_body_sim

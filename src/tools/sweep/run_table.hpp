@@ -18,11 +18,8 @@ class RunTable {
   /// written.
   static RunTable create(LockedFile file, const std::string& header);
 
-  /// A file of this header, whose first rows, as many as asked for, are kept and whose rest is cut
-  /// off. Throws std::runtime_error where it is another table, or has a row at the place of
-  /// another.
-  static RunTable reopen(LockedFile file, const std::string& header, std::int64_t rows,
-                         const Shard& shard);
+  /// What is there, up to so many bytes.
+  static RunTable reopen(LockedFile file, std::int64_t bytes);
 
   /// Whole rows. Throws std::runtime_error, and leaves the table as it was, where the file does not
   /// take them.
@@ -34,6 +31,17 @@ class RunTable {
   LockedFile file_;
 };
 
+/// What is known of rows that were read.
+struct RowsRead {
+  std::uint64_t digest = 0;
+  std::int64_t bytes = 0;  ///< up to their end, with the header
+};
+
+/// Reads the first rows of a table. Throws std::runtime_error where it has another header, fewer
+/// rows, or one at the place of another.
+RowsRead readRows(const std::string& path, const std::string& header, std::int64_t rows,
+                  const Shard& shard);
+
 /// Throws std::runtime_error for the row number `row` of a shard's table, from 0 on, that is not of
 /// the run that belongs there.
 void requireRowInPlace(const std::string& path, std::int64_t row, const std::string& line,
@@ -41,13 +49,6 @@ void requireRowInPlace(const std::string& path, std::int64_t row, const std::str
 
 /// Whole rows of a table after its header; 0 where there is no file.
 std::int64_t wholeRows(const std::string& path);
-
-/// Whether a sweep may have written the file, which is not another's then: there is none, nothing
-/// in it, or a table. stem: runs or fan.
-bool isTableOfASweep(const std::string& path, const std::string& stem);
-
-/// Throws std::runtime_error where it is not.
-void requireTableOfASweep(const std::string& path, const std::string& stem);
 
 /// The whole text of a small file; none where there is no file.
 std::optional<std::string> textOf(const std::string& path);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,6 +20,16 @@ struct Shard {
 
   /// runs.csv, or runs.2of4.csv
   std::string fileName(const std::string& stem, const std::string& extension) const;
+};
+
+/// Where the tables of a shard are.
+struct ShardFiles {
+  Shard shard;
+  std::filesystem::path directory;
+
+  std::string path(const std::string& stem, const std::string& extension) const {
+    return (directory / shard.fileName(stem, extension)).string();
+  }
 };
 
 /// The shard whose table has this name, such as runs.2of4.csv; none of any other file.

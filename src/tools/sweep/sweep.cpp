@@ -17,6 +17,18 @@
 namespace rigid_body_sim {
 namespace {
 
+/// What the user must know of runs without results, and of those that are not sure ones.
+void notify(const SweepLedger& ledger) {
+  const auto say = [](const NotedRuns& runs, const std::string& one, const std::string& more) {
+    if (runs.count > 0)
+      SweepJob::notify(std::to_string(runs.count) + (runs.count == 1 ? one : more) +
+                       "; the first is run " + std::to_string(runs.first) + ": " + runs.why);
+  };
+  say(ledger.refused, " run has no result", " runs have no result");
+  say(ledger.doubtful, " run may have an error beyond the tolerance (runs.info says which)",
+      " runs may have errors beyond the tolerance (runs.info says which)");
+}
+
 /// What is made of the whole table.
 void report(const SweepInfo& info, const std::string& directory) {
   const std::filesystem::path out = directory;
@@ -47,17 +59,22 @@ void requireDistinctFiles(const SweepOptions& options) {
   requireDistinct(files);
 }
 
+void merge(const SweepOptions& options) {
+  const TableInfo info = mergeShards(options.merge, options.directory());
+  notify(info.ledger);
+  report(info.sweep, options.directory());
+}
+
 void run(const SweepOptions& options) {
-  if (!options.merge.empty())
-    return report(mergeShards(options.merge, options.directory()), options.directory());
+  if (!options.merge.empty()) return merge(options);
   requireDistinctFiles(options);
   SweepJob job(options);
-  for (const std::string& notice : job.notices())
-    std::fprintf(stderr, "%s\n", noticeLine("sweep", notice).c_str());
+  for (const std::string& notice : job.notices()) SweepJob::notify(notice);
   if (options.run) return print(job.writeScene(*options.run) + "\n");
   const Shard& shard = options.launched.shard;
   job.run();
-  if (shard.count == 1) return report(job.info(), options.directory());
+  notify(job.info().ledger);
+  if (shard.count == 1) return report(job.info().sweep, options.directory());
   print("shard " + std::to_string(shard.index) + " of " + std::to_string(shard.count) +
         (options.launched.by.empty() ? "" : " (" + options.launched.by + ")") +
         " is done; once all are: sweep merge " + options.directory() + "\n");

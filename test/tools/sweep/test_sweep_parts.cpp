@@ -55,7 +55,7 @@ TEST(SweepPool, WritesNothingAfterAWriteThatFailed) {
   const std::atomic<bool> stop{false};
   for (int attempt = 0; attempt < 20; ++attempt) {
     int writes = 0;
-    const auto write = [&](const std::string&, const std::string&) {
+    const auto write = [&](const MadeRuns&) {
       ++writes;
       // as slow as a full disk: the other threads come to wait for their turn
       const auto begin = std::chrono::steady_clock::now();
