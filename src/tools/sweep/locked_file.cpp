@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace rigid_body_sim {
@@ -20,7 +21,10 @@ LockedFile::LockedFile(std::string path) : path_(std::move(path)) {
   descriptor_ = open(path_.c_str(), kFlags | O_CREAT | O_EXCL, kMode);
   is_new_ = descriptor_ >= 0;
   if (!is_new_) descriptor_ = open(path_.c_str(), kFlags | O_CREAT, kMode);
-  if (descriptor_ < 0) failToWrite(path_);
+  struct stat file {};
+  if (descriptor_ < 0 || fstat(descriptor_, &file) != 0) failToWrite(path_);
+  device_ = file.st_dev;
+  inode_ = file.st_ino;
   // a file system without locks is taken as it is
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(descriptor_);
@@ -31,6 +35,8 @@ LockedFile::LockedFile(std::string path) : path_(std::move(path)) {
 LockedFile::LockedFile(LockedFile&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      device_(other.device_),
+      inode_(other.inode_),
       is_new_(other.is_new_) {}
 
 LockedFile::~LockedFile() {
@@ -42,7 +48,16 @@ void LockedFile::cutTo(std::int64_t bytes) {
   if (ftruncate(descriptor_, bytes) != 0 && errno != EINVAL) failToWrite(path_);
 }
 
+void LockedFile::requireInPlace() const {
+  struct stat file {};
+  if (stat(path_.c_str(), &file) == 0 && file.st_dev == device_ && file.st_ino == inode_) return;
+  throw std::runtime_error(path_ +
+                           ": was removed, moved or replaced while this sweep wrote it; put it "
+                           "back, and the same command with --resume goes on");
+}
+
 void LockedFile::append(const std::string& text) {
+  requireInPlace();
   const off_t before = lseek(descriptor_, 0, SEEK_END);
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t n = write(descriptor_, text.data() + done, text.size() - done);

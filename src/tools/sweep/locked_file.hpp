@@ -23,12 +23,17 @@ class LockedFile {
   /// Cuts off what is behind so many bytes. Throws std::runtime_error.
   void cutTo(std::int64_t bytes);
 
-  /// Appends all of a text, or nothing. Throws std::runtime_error.
+  /// Appends all of a text, or nothing. Throws std::runtime_error where it cannot, or where the
+  /// file is no longer the one of its path, so that what is written would be lost.
   void append(const std::string& text);
+
+  /// Throws std::runtime_error where it is no longer the file of its path.
+  void requireInPlace() const;
 
  private:
   std::string path_;
   int descriptor_ = -1;
+  std::uint64_t device_ = 0, inode_ = 0;
   bool is_new_ = false;
 };
 

@@ -25,6 +25,9 @@ class RunTable {
   /// take them.
   void append(const std::string& rows) { file_.append(rows); }
 
+  /// Throws std::runtime_error where it is no longer the file of its path.
+  void requireInPlace() const { file_.requireInPlace(); }
+
  private:
   explicit RunTable(LockedFile file) : file_(std::move(file)) {}
 

@@ -112,6 +112,11 @@ void SweepJob::addRunners(std::int64_t runs) {
 struct SweepJob::Tables {
   RunTable runs;
   std::optional<RunTable> fan;
+
+  void requireInPlace() const {
+    runs.requireInPlace();
+    if (fan) fan->requireInPlace();
+  }
 };
 
 void SweepJob::notify(const std::string& notice) {
@@ -160,9 +165,11 @@ void SweepJob::writeInfo() {
 }
 
 /// Not with each of many short writes: where files are far away it takes as long as many runs.
-void SweepJob::writeInfoSometimes() {
+void SweepJob::writeInfoSometimes(const Tables& tables) {
   constexpr auto kPause = std::chrono::milliseconds(100);
-  if (info_is_due_ && std::chrono::steady_clock::now() - info_written_ >= kPause) writeInfo();
+  if (!info_is_due_ || std::chrono::steady_clock::now() - info_written_ < kPause) return;
+  tables.requireInPlace();
+  writeInfo();
 }
 
 void SweepJob::run() {
@@ -211,12 +218,13 @@ std::int64_t SweepJob::makeRuns(Tables& tables, std::int64_t first, std::int64_t
       },
       signals.requested());
   const auto goOn = [&](std::int64_t written) {
-    writeInfoSometimes();
+    writeInfoSometimes(tables);
     bar.show(static_cast<double>(written) /
              static_cast<double>(std::max<std::int64_t>(1, all - first)));
   };
   try {
     const std::int64_t written = pool.run(first, all, goOn);
+    tables.requireInPlace();
     writeInfo();
     return written;
   } catch (...) {

@@ -48,7 +48,7 @@ class SweepJob {
   std::int64_t makeRuns(Tables& tables, std::int64_t first, std::int64_t all,
                         const StopSignals& signals);
   void writeInfo();
-  void writeInfoSometimes();
+  void writeInfoSometimes(const Tables& tables);
   void keepInfo();
 
   const SweepOptions& options_;

@@ -26,7 +26,12 @@ std::int64_t SweepPool::run(std::int64_t first, std::int64_t end,
     std::unique_lock<std::mutex> lock(mutex_);
     while (working_ > 0) {
       changed_.wait_for(lock, std::chrono::milliseconds(100));
-      progress(written_);
+      if (failure_) continue;
+      try {
+        progress(written_);
+      } catch (...) {
+        failure_ = std::current_exception();
+      }
     }
   }
   for (std::thread& thread : threads) thread.join();

@@ -36,7 +36,8 @@ class SweepPool {
       : runners_(runners), shard_(shard), write_(std::move(write)), stop_(stop) {}
 
   /// The runs first … end − 1 of the shard; returns how many are written. progress: is told so
-  /// from time to time, while nothing is written. Throws what a run or a write throws.
+  /// from time to time, while nothing is written. Throws what a run, a write or
+  /// progress throws.
   std::int64_t run(std::int64_t first, std::int64_t end,
                    const std::function<void(std::int64_t written)>& progress);
 

@@ -69,6 +69,23 @@ TEST(SweepPool, WritesNothingAfterAWriteThatFailed) {
   }
 }
 
+// While other threads are at work, which must be waited for.
+TEST(SweepPool, ThrowsWhatItsProgressThrows) {
+  SweepInputs inputs;
+  inputs.study =
+      parseStudy("runs: 5000000\nvary: {bodies.ball.mass: {uniform: [1, 2]}}", "study.yaml");
+  inputs.scene_text = test::kPushedBall;
+  inputs.context.source = "scene.yaml";
+  std::vector<std::unique_ptr<SweepRunner>> runners;
+  for (int i = 0; i < 3; ++i) runners.push_back(std::make_unique<SweepRunner>(inputs));
+  const std::atomic<bool> stop{false};
+  SweepPool pool(
+      runners, Shard{}, [](const MadeRuns&) {}, stop);
+  EXPECT_THROW(
+      pool.run(0, 5000000, [](std::int64_t) { throw std::runtime_error("the disk is full"); }),
+      std::runtime_error);
+}
+
 // A step of 0.01 s against one of the whole 20 s, both by series to the same tolerance.
 TEST(QuickSimulation, TakesOneStepOfBodiesInAir) {
   const Scene scene = parseScene(R"(gravity: [0, 0, -9.8]
