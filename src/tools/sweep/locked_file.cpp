@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 #include <utility>
 
 #include <fcntl.h>
@@ -13,7 +12,7 @@
 namespace rigid_body_sim {
 
 void failToWrite(const std::string& path) {
-  throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
+  throw WriteError(path + ": cannot be written: " + std::strerror(errno));
 }
 
 LockedFile::LockedFile(std::string path) : path_(std::move(path)) {

@@ -1,9 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 
 namespace rigid_body_sim {
+
+/// A file that cannot be written; what() is one line, at whose end there is room for what to do.
+class WriteError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws it for what errno says.
+[[noreturn]] void failToWrite(const std::string& path);
 
 /// A file that is open for appending, and that no other process may open so meanwhile.
 class LockedFile {
@@ -36,8 +46,5 @@ class LockedFile {
   std::uint64_t device_ = 0, inode_ = 0;
   bool is_new_ = false;
 };
-
-/// Throws std::runtime_error for what errno says.
-[[noreturn]] void failToWrite(const std::string& path);
 
 }  // namespace rigid_body_sim

@@ -139,6 +139,7 @@ class MergedTables {
   std::string part(const std::string& stem) const { return path(stem) + ".part"; }
 
   void putInPlace() {
+    removeOldResults({Shard{}, directory_}, stems_.size() > 1);
     for (const std::string& stem : stems_) fs::rename(part(stem), path(stem));
     is_in_place_ = true;
   }

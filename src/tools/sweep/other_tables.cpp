@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <vector>
 
 namespace rigid_body_sim {
 namespace {
@@ -58,6 +59,18 @@ void requireTableOfASweep(const std::string& path, const std::string& stem) {
   if (!isTableOfASweep(path, stem))
     throw std::runtime_error(
         path + ": is no table of a sweep, and would be replaced; remove it, or name another --out");
+}
+
+void removeOldResults(const ShardFiles& files, bool has_fan) {
+  std::vector<std::string> old;
+  if (files.shard.count == 1)
+    for (const char* name : {"summary.csv", "sweep.svg"})
+      old.push_back((files.directory / name).string());
+  const std::string fan = files.path("fan", ".csv");
+  if (!has_fan && isTableOfASweep(fan, "fan")) old.push_back(fan);
+  std::error_code kept;
+  for (const std::string& path : old)
+    if (std::filesystem::is_regular_file(path, kept)) std::filesystem::remove(path, kept);
 }
 
 }  // namespace rigid_body_sim

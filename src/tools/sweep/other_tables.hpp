@@ -14,4 +14,8 @@ void refuseOtherDivisions(const std::string& directory, const Shard& shard);
 /// in it, and it is no table. stem: runs or fan.
 void requireTableOfASweep(const std::string& path, const std::string& stem);
 
+/// Removes what was made of another table in a directory: summary, plot, and the fan where the new
+/// one has none.
+void removeOldResults(const ShardFiles& files, bool has_fan);
+
 }  // namespace rigid_body_sim

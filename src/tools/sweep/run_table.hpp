@@ -56,7 +56,7 @@ std::int64_t wholeRows(const std::string& path);
 /// The whole text of a small file; none where there is no file.
 std::optional<std::string> textOf(const std::string& path);
 
-/// Writes a small file. Throws std::runtime_error.
+/// Writes a small file, which is there as a whole or as it was before. Throws WriteError.
 void writeText(const std::string& path, const std::string& text);
 
 }  // namespace rigid_body_sim

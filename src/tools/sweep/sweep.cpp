@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
 #include "programs/distinct_files.hpp"
 #include "programs/run_program.hpp"
@@ -33,7 +34,13 @@ void notify(const SweepLedger& ledger) {
 void report(const SweepInfo& info, const std::string& directory) {
   const std::filesystem::path out = directory;
   const SweepSummary summary = summarise((out / "runs.csv").string(), info);
-  writeText((out / "summary.csv").string(), summaryCsv(summary));
+  try {
+    writeText((out / "summary.csv").string(), summaryCsv(summary));
+  } catch (const WriteError& error) {
+    throw std::runtime_error(std::string(error.what()) +
+                             "; all runs are in runs.csv: once there is room, the same command "
+                             "makes it, of a sweep with --resume");
+  }
   print(summaryTable(summary));
   if (hasGnuplot())
     plotSweep(summary, info, (out / "fan.csv").string(), (out / "sweep.svg").string());

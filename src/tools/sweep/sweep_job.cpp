@@ -150,6 +150,7 @@ SweepJob::Tables SweepJob::openTables(LockedFile runs, const KeptRows& kept) {
   };
   const TableHeaders first = headers();
   info_.ledger = kept.ledger;
+  if (kept.bytes == 0) removeOldResults(files_, !info_.sweep.fan.empty());
   // before any row: rows without a description cannot be gone on with
   writeInfo();
   Tables tables{open(std::move(runs), first.runs, kept.bytes), std::nullopt};
@@ -227,6 +228,11 @@ std::int64_t SweepJob::makeRuns(Tables& tables, std::int64_t first, std::int64_t
     tables.requireInPlace();
     writeInfo();
     return written;
+  } catch (const WriteError& error) {
+    keepInfo();
+    throw std::runtime_error(std::string(error.what()) +
+                             "; the rows that are written are kept: once there is room, the same "
+                             "command with --resume goes on");
   } catch (...) {
     keepInfo();
     throw;

@@ -112,4 +112,39 @@ TEST(SweepProgram, MergesIntoNoDirectoryThatASweepIsWriting) {
   EXPECT_EQ(fileText(table), rows);
 }
 
+TEST(SweepProgram, LeavesNothingThatWasMadeOfAnotherTable) {
+  const Bench bench;
+  const auto isThere = [&](const std::string& name) {
+    return std::ifstream(bench.out + "/" + name).good();
+  };
+  const auto markOld = [&] {
+    bench.files.written("out/summary.csv", "column,count\n");
+    bench.files.written("out/sweep.svg", "<svg></svg>\n");
+  };
+  ASSERT_EQ(bench.sweep().exit_code, 0);
+  ASSERT_TRUE(isThere("fan.csv"));
+  markOld();
+  // what is not finished does not say so by what is beside it
+  // where the horizon varies there is no fan
+  const std::string study =
+      bench.files.written("other.yaml", "runs: 4\nvary: {horizon: {list: [1, 2]}}");
+  const std::string other = bench.scene + " " + study + " --out " + bench.out;
+  const std::string text = test::sweep(other, kNoPlot).out;
+  EXPECT_FALSE(isThere("fan.csv")) << text;
+  EXPECT_FALSE(isThere("sweep.svg"));
+  EXPECT_NE(fileText(bench.out + "/summary.csv").find("horizon"), std::string::npos);
+
+  const std::string shards = bench.files.path("shards");
+  for (const char* shard : {"1/2", "2/2"})
+    ASSERT_EQ(
+        test::sweep(bench.scene + " " + study + " --out " + shards + " --shard " + shard, kNoPlot)
+            .exit_code,
+        0);
+  ASSERT_EQ(bench.sweep().exit_code, 0);
+  markOld();
+  ASSERT_EQ(test::sweep("merge " + shards + " --out " + bench.out, kNoPlot).exit_code, 0);
+  EXPECT_FALSE(isThere("fan.csv"));
+  EXPECT_FALSE(isThere("sweep.svg"));
+}
+
 }  // namespace rigid_body_sim
