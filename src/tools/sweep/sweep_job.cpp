@@ -9,6 +9,7 @@
 #include "math/shortest.hpp"
 #include "programs/make_directory.hpp"
 #include "programs/package_directory.hpp"
+#include "programs/step_watch.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
 #include "scene/files/number_text.hpp"
@@ -61,7 +62,7 @@ SweepJob::SweepJob(const SweepOptions& options)
       inputs_(inputsOf(options)) {
   runners_.push_back(std::make_unique<SweepRunner>(inputs_));
   SweepRunner& runner = *runners_.front();
-  runner.checkPaths();
+  checkPaths();
   SweepInfo& sweep = info_.sweep;
   sweep.title = baseName(options.scene) + ", " + baseName(options.study);
   sweep.digest = digestOfAll();
@@ -69,6 +70,17 @@ SweepJob::SweepJob(const SweepOptions& options)
   sweep.varied = runner.rowForm().varied;
   sweep.records = runner.records().size();
   sweep.fan = runner.fanName();
+}
+
+/// Which may go through whole runs.
+void SweepJob::checkPaths() {
+  StepWatch watch(notify, 10, [](double) {
+    return std::string(
+        "led to the first run: every path and every value of a list is tried, some by whole runs, "
+        "and these are long or many");
+  });
+  watch.begin(StepWatch::kBeforeTheRun);
+  runners_.front()->checkPaths();
 }
 
 /// Of scene, study and seed, and of the files that were read for the scene and for every value that
@@ -178,12 +190,11 @@ void SweepJob::run() {
   refuseOtherDivisions(options_.directory(), shard_);
   LockedFile runs(files_.path("runs", ".csv"));
   const KeptRows kept = rowsToKeep();
+  const StopSignals signals;
   Tables tables = openTables(std::move(runs), kept);
   const std::int64_t all = shard_.runsOf(info_.sweep.runs), first = kept.ledger.rows;
   const bool needs_fan = tables.fan && kept.fan_bytes == 0 && kept.fan_rows > 0;
   addRunners(std::max(all - first, needs_fan ? kept.fan_rows : 0));
-
-  const StopSignals signals;
   if (needs_fan) makeFanAgain(*tables.fan, kept.fan_rows, signals);
   const std::int64_t written = makeRuns(tables, first, all, signals);
   if (first + written == all) return;
@@ -218,7 +229,12 @@ std::int64_t SweepJob::makeRuns(Tables& tables, std::int64_t first, std::int64_t
         info_is_due_ = true;
       },
       signals.requested());
+  bool has_said = false;
   const auto goOn = [&](std::int64_t written) {
+    if (signals.requested() && !std::exchange(has_said, true))
+      std::fprintf(stderr, "%s\n",
+                   "sweep: stopping when the runs under way have ended; once more, and it ends at "
+                   "once without them");
     writeInfoSometimes(tables);
     bar.show(static_cast<double>(written) /
              static_cast<double>(std::max<std::int64_t>(1, all - first)));

@@ -39,6 +39,7 @@ class SweepJob {
  private:
   struct Tables;
 
+  void checkPaths();
   std::uint64_t digestOfAll() const;
   TableHeaders headers() const;
   KeptRows rowsToKeep() const;

@@ -237,31 +237,6 @@ TEST(SweepProgram, SaysWhereThePlotCannotBeWritten) {
   EXPECT_EQ(sweep(command).exit_code, 0);
 }
 
-TEST(SweepProgram, LeavesNoSummaryThatIsNotWhole) {
-  const TemporaryDirectory files;
-  const std::string scene = files.written("scene.yaml", test::kPushedBall);
-  // a summary of many columns, beside few rows
-  std::string study = "runs: 2\nvary: {bodies.ball.mass: {list: [1, 2]}}\nrecord:\n";
-  for (int i = 0; i < 280; ++i) study += "  r" + std::to_string(i) + ": {at_end: ball.px}\n";
-  const std::string command =
-      scene + " " + files.written("study.yaml", study) + " --out " + files.path("out");
-  ASSERT_EQ(sweep(command, "PATH=/nonexistent").exit_code, 0);
-  const std::string summary = files.path("out/summary.csv"), whole = test::fileText(summary);
-  ASSERT_GT(whole.size(), 16384U);
-  ASSERT_EQ(remove(summary.c_str()), 0);
-  const test::Outcome full = test::runCommand(
-      "bash -c 'trap \"\" XFSZ; ulimit -f 16; PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " +
-      command + " 2>&1'");
-  EXPECT_EQ(full.exit_code, 1);
-  EXPECT_EQ(full.out, "sweep: " + summary +
-                          ": cannot be written: File too large; all runs are in runs.csv: once "
-                          "there is room, the same command makes it, of a sweep with --resume\n");
-  EXPECT_FALSE(std::ifstream(summary).good());
-  EXPECT_FALSE(std::ifstream(summary + ".part").good());
-  EXPECT_EQ(sweep(command + " --resume", "PATH=/nonexistent").exit_code, 0);
-  EXPECT_EQ(test::fileText(summary), whole);
-}
-
 // Neither is there a row to lose, nor do old ones say of what sweep they are.
 TEST(SweepProgram, ResumesWhereATableHasNoRows) {
   const TemporaryDirectory files;

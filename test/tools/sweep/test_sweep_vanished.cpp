@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -8,7 +9,7 @@
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/sweep_bench.hpp"
 
-/// Tables that are taken away while they are written.
+/// Files that are taken away or cut off while they are written, and sweeps that are stopped.
 namespace rigid_body_sim {
 namespace {
 
@@ -62,6 +63,53 @@ TEST(SweepProgram, EndsAsSoonAsItsDirectoryHasVanished) {
               std::string::npos)
         << run.out;
   }
+}
+
+TEST(SweepProgram, LeavesNoSummaryThatIsNotWhole) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", test::kPushedBall);
+  // a summary of many columns, beside few rows
+  std::string study = "runs: 2\nvary: {bodies.ball.mass: {list: [1, 2]}}\nrecord:\n";
+  for (int i = 0; i < 280; ++i) study += "  r" + std::to_string(i) + ": {at_end: ball.px}\n";
+  const std::string command =
+      scene + " " + files.written("study.yaml", study) + " --out " + files.path("out");
+  ASSERT_EQ(test::sweep(command, "PATH=/nonexistent").exit_code, 0);
+  const std::string summary = files.path("out/summary.csv"), whole = test::fileText(summary);
+  ASSERT_GT(whole.size(), 16384U);
+  ASSERT_EQ(remove(summary.c_str()), 0);
+  const test::Outcome full = test::runCommand(
+      "bash -c 'trap \"\" XFSZ; ulimit -f 16; PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " +
+      command + " 2>&1'");
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_EQ(full.out, "sweep: " + summary +
+                          ": cannot be written: File too large; all runs are in runs.csv: once "
+                          "there is room, the same command makes it, of a sweep with --resume\n");
+  EXPECT_FALSE(std::ifstream(summary).good());
+  EXPECT_FALSE(std::ifstream(summary + ".part").good());
+  EXPECT_EQ(test::sweep(command + " --resume", "PATH=/nonexistent").exit_code, 0);
+  EXPECT_EQ(test::fileText(summary), whole);
+}
+
+// A second signal would end it at once.
+TEST(SweepProgram, SaysThatItStopsWhenLongRunsAreUnderWay) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", "integrator: rk4\n" + test::kPushedBall);
+  const std::string study = files.written(
+      "study.yaml", "runs: 4\nduration: 10000000\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
+  const std::string out = files.path("out"), said = files.path("said");
+  const auto wait = [](const std::string& condition) {
+    return "until " + condition + " || ! kill -0 $!; do sleep 0.01; done 2>/dev/null; ";
+  };
+  const test::Outcome run = test::runCommand(
+      "bash -c 'set -m; " RIGID_BODY_SIM_SWEEP " " + scene + " " + study + " --threads 1 --out " +
+      out + " 2>" + said + " & " + wait("[ -s " + out + "/runs.csv ]") + "kill -INT $!; " +
+      wait("grep -q stopping " + said) + "kill -INT $!; wait $!' 2>/dev/null");
+  EXPECT_EQ(run.exit_code, 128 + 2);
+  const std::string text = test::fileText(said);
+  EXPECT_EQ(text.find("sweep: stopping when the runs under way have ended; once more, and it ends "
+                      "at once without them"),
+            0U)
+      << text;
 }
 
 }  // namespace rigid_body_sim
