@@ -88,8 +88,13 @@ Distribution readDistribution(const Entry& entry) {
   };
   Def found;
   readMapping(entry, keys, found);
-  if (found.size() != 1)
-    entry.failRule("must name one of normal, uniform, list, grid and rotation");
+  if (found.size() > 1) {
+    std::string names;
+    for (const YamlNode& node : entry.node().children())
+      names += (names.empty() ? "" : " and ") + std::string(node.key());
+    entry.fail(entry.key() + " must name exactly one distribution, got " + names);
+  }
+  if (found.empty()) entry.failRule("must name one of normal, uniform, list, grid and rotation");
   return found.front();
 }
 
@@ -162,6 +167,8 @@ Study parseStudy(const std::string& yaml_text, const std::string& source_name,
   ReadContext context;
   context.source = source_name;
   const Entry root(context, document.root);
+  if (document.root.find("bodies"))
+    root.fail("is a scene, not a study: the scene comes first, the study second");
   Study study;
   study.source = source_name;
   readMapping(root, keys, study);

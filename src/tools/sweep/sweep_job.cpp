@@ -105,8 +105,10 @@ std::string SweepJob::writeScene(std::int64_t number) {
   makeDirectory(options_.directory());
   const std::string path =
       (std::filesystem::path(options_.directory()) / sceneName(number)).string();
-  std::string heading = "# run " + std::to_string(number) + " of " + info_.sweep.title + ", seed " +
-                        std::to_string(inputs_.study.seed);
+  std::string heading = "# run " + std::to_string(number) + " of ";
+  // whose values depend on it
+  if (inputs_.study.latin_hypercube) heading += std::to_string(info_.sweep.runs) + " runs of ";
+  heading += info_.sweep.title + ", seed " + std::to_string(inputs_.study.seed);
   if (inputs_.study.duration)
     heading += "; its row is after simulate --duration " + shortest(*inputs_.study.duration);
   writeText(path, heading + "\n" + scene);

@@ -57,7 +57,8 @@ std::string rowOf(const ColumnSummary& column, const std::vector<PairSummary>* p
   if (column.count == 0) return row + std::string(11 + varied, ',') + "\n";
   const auto add = [&](double x) {
     row += ',';
-    appendNumber(x, row);
+    // of values near the greatest number there is a sum may be none
+    if (std::isfinite(x)) appendNumber(x, row);
   };
   add(column.mean);
   add(column.stddev());
@@ -76,9 +77,13 @@ std::string rowOf(const ColumnSummary& column, const std::vector<PairSummary>* p
 
 std::string tableRow(const SweepSummary& summary, const ColumnSummary& column,
                      std::optional<std::size_t> result) {
-  std::string row = formatted("  %-34s %11.5g %10.3g %11.5g %11.5g %11.5g", column.name.c_str(),
-                              column.mean, column.stddev(), column.percentile(0.05),
-                              column.percentile(0.5), column.percentile(0.95));
+  std::string row = formatted("  %-34s", column.name.c_str());
+  const auto add = [&](double x, int width, int digits) {
+    row += std::isfinite(x) ? formatted(" %*.*g", width, digits, x) : formatted(" %*s", width, "-");
+  };
+  add(column.mean, 11, 5);
+  add(column.stddev(), 10, 3);
+  for (const double share : {0.05, 0.5, 0.95}) add(column.percentile(share), 11, 5);
   const auto most = result ? summary.mostCorrelated(*result) : std::nullopt;
   if (most)
     row += formatted("  %+.2f with %s", *summary.pairs[*result][*most].correlation(),
