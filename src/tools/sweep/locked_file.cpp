@@ -52,7 +52,7 @@ void LockedFile::requireInPlace() const {
   if (stat(path_.c_str(), &file) == 0 && file.st_dev == device_ && file.st_ino == inode_) return;
   throw std::runtime_error(path_ +
                            ": was removed, moved or replaced while this sweep wrote it; put it "
-                           "back, and the same command with --resume goes on");
+                           "back, and the same command with --resume goes on, or begin anew");
 }
 
 void LockedFile::append(const std::string& text) {

@@ -10,6 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "scene/message_text.hpp"
 #include "tools/sweep/sweep_ledger.hpp"
 
@@ -88,6 +91,16 @@ void writeText(const std::string& path, const std::string& text) {
   std::remove(part.c_str());
   errno = why;
   failToWrite(path);
+}
+
+void overwriteText(const std::string& path, const std::string& text) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  const auto size = static_cast<off_t>(text.size());
+  const bool is_whole =
+      pwrite(descriptor, text.data(), text.size(), 0) == size && ftruncate(descriptor, size) == 0;
+  static_cast<void>(is_whole);  // else it is read as none
+  close(descriptor);
 }
 
 }  // namespace rigid_body_sim

@@ -59,4 +59,7 @@ std::optional<std::string> textOf(const std::string& path);
 /// Writes a small file, which is there as a whole or as it was before. Throws WriteError.
 void writeText(const std::string& path, const std::string& text);
 
+/// Writes a text over that of a file, without room for another; where it cannot, it stays away.
+void overwriteText(const std::string& path, const std::string& text);
+
 }  // namespace rigid_body_sim

@@ -38,7 +38,7 @@ void report(const SweepInfo& info, const std::string& directory) {
     writeText((out / "summary.csv").string(), summaryCsv(summary));
   } catch (const WriteError& error) {
     throw std::runtime_error(std::string(error.what()) +
-                             "; all runs are in runs.csv: once there is room, the same command "
+                             "; all runs are in runs.csv: once it can be written, the same command "
                              "makes it, of a sweep with --resume");
   }
   print(summaryTable(summary));

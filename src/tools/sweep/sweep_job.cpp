@@ -188,6 +188,16 @@ void SweepJob::writeInfoSometimes(const Tables& tables) {
 }
 
 void SweepJob::run() {
+  try {
+    makeTables();
+  } catch (const WriteError& error) {
+    throw std::runtime_error(std::string(error.what()) +
+                             "; rows that are written are kept: once it can be written, the same "
+                             "command with --resume goes on");
+  }
+}
+
+void SweepJob::makeTables() {
   makeDirectory(options_.directory());
   refuseOtherDivisions(options_.directory(), shard_);
   LockedFile runs(files_.path("runs", ".csv"));
@@ -246,23 +256,14 @@ std::int64_t SweepJob::makeRuns(Tables& tables, std::int64_t first, std::int64_t
     tables.requireInPlace();
     writeInfo();
     return written;
-  } catch (const WriteError& error) {
-    keepInfo();
-    throw std::runtime_error(std::string(error.what()) +
-                             "; the rows that are written are kept: once there is room, the same "
-                             "command with --resume goes on");
   } catch (...) {
     keepInfo();
     throw;
   }
 }
 
-/// Where something has failed already, of which the user is told.
-void SweepJob::keepInfo() {
-  try {
-    writeInfo();
-  } catch (const std::runtime_error&) {
-  }
-}
+/// Where something has failed already, of which the user is told: on a full disk it takes the room
+/// of the one before.
+void SweepJob::keepInfo() const { overwriteText(files_.path("runs", ".info"), toText(info_)); }
 
 }  // namespace rigid_body_sim

@@ -40,6 +40,7 @@ class SweepJob {
   struct Tables;
 
   void checkPaths();
+  void makeTables();
   std::uint64_t digestOfAll() const;
   TableHeaders headers() const;
   KeptRows rowsToKeep() const;
@@ -50,7 +51,7 @@ class SweepJob {
                         const StopSignals& signals);
   void writeInfo();
   void writeInfoSometimes(const Tables& tables);
-  void keepInfo();
+  void keepInfo() const;
 
   const SweepOptions& options_;
   Shard shard_;

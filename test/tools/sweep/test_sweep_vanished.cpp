@@ -36,9 +36,10 @@ TEST(RunTable, TakesNoRowsThatWouldBeLost) {
     for (std::size_t at; (at = command.find("DIR")) != std::string::npos;)
       command.replace(at, 3, directory);
     ASSERT_EQ(test::runCommand(command).exit_code, 0);
-    EXPECT_EQ(faultOf(table), path +
-                                  ": was removed, moved or replaced while this sweep wrote it; put "
-                                  "it back, and the same command with --resume goes on")
+    EXPECT_EQ(faultOf(table),
+              path +
+                  ": was removed, moved or replaced while this sweep wrote it; put "
+                  "it back, and the same command with --resume goes on, or begin anew")
         << how;
     EXPECT_THROW(table.requireInPlace(), std::runtime_error);
   }
@@ -81,9 +82,10 @@ TEST(SweepProgram, LeavesNoSummaryThatIsNotWhole) {
       "bash -c 'trap \"\" XFSZ; ulimit -f 16; PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " +
       command + " 2>&1'");
   EXPECT_EQ(full.exit_code, 1);
-  EXPECT_EQ(full.out, "sweep: " + summary +
-                          ": cannot be written: File too large; all runs are in runs.csv: once "
-                          "there is room, the same command makes it, of a sweep with --resume\n");
+  EXPECT_EQ(full.out,
+            "sweep: " + summary +
+                ": cannot be written: File too large; all runs are in runs.csv: once "
+                "it can be written, the same command makes it, of a sweep with --resume\n");
   EXPECT_FALSE(std::ifstream(summary).good());
   EXPECT_FALSE(std::ifstream(summary + ".part").good());
   EXPECT_EQ(test::sweep(command + " --resume", "PATH=/nonexistent").exit_code, 0);
