@@ -102,6 +102,8 @@ KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHea
     kept.ledger.fan_digest = 0;
   } else {
     kept.ledger = ledgerByForm(files, written, rows, headers.form);
+    kept.lost_until = written.rows;
+    kept.lost_digest = written.digest;
     kept.notices.push_back(table + ": has lost its last rows, of " + std::to_string(written.rows) +
                            "; of the " + std::to_string(rows) +
                            " that are left only the form could be checked");

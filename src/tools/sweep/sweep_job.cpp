@@ -208,7 +208,16 @@ void SweepJob::makeTables() {
   const bool needs_fan = tables.fan && kept.fan_bytes == 0 && kept.fan_rows > 0;
   addRunners(std::max(all - first, needs_fan ? kept.fan_rows : 0));
   if (needs_fan) makeFanAgain(*tables.fan, kept.fan_rows, signals);
-  const std::int64_t written = makeRuns(tables, first, all, signals);
+  std::int64_t written = 0;
+  if (kept.lost_until > first) {
+    written = makeRuns(tables, first, kept.lost_until, signals);
+    if (first + written == kept.lost_until && info_.ledger.digest != kept.lost_digest)
+      notify(files_.path("runs", ".csv") +
+             ": with the runs that were lost its rows are not those that were written: somebody "
+             "has changed it, or this machine computes other digits; to be sure, remove it and "
+             "make its runs anew");
+  }
+  if (!signals.requested()) written += makeRuns(tables, first + written, all, signals);
   if (first + written == all) return;
   std::fprintf(stderr,
                "sweep: stopped after %lld of %lld runs; the same command with --resume goes on\n",
@@ -226,6 +235,7 @@ void SweepJob::makeFanAgain(RunTable& fan, std::int64_t rows, const StopSignals&
       },
       signals.requested());
   pool.run(0, rows, [](std::int64_t) {});
+  writeInfo();
 }
 
 /// Returns how many are written.

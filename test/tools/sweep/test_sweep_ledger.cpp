@@ -162,6 +162,10 @@ TEST(SweepProgram, ChecksEveryRowBeforeARun) {
     const test::Outcome cut = swept(" --resume");
     if (changed == edits.back().first) {
       EXPECT_EQ(cut.exit_code, 0);
+      EXPECT_NE(cut.out.find("with the runs that were lost its rows are not those that were "
+                             "written: somebody has changed it, or "),
+                std::string::npos)
+          << cut.out;
       EXPECT_EQ(cut.out.find("sweep: notice: " + table +
                              ": has lost its last rows, of 9; of the 8 that are left only the form "
                              "could be checked\n"),
@@ -171,6 +175,13 @@ TEST(SweepProgram, ChecksEveryRowBeforeARun) {
       EXPECT_EQ(cut.out, "sweep: " + table + message);
     }
   }
+  // without a change nothing is said but that it has lost rows
+  files.written("out/runs.csv", rows);
+  ASSERT_EQ(swept("").exit_code, 0);
+  files.written("out/runs.csv", rows.substr(0, rows.find("\n7,") + 1));
+  const std::string made_whole = swept(" --resume").out;
+  EXPECT_EQ(made_whole.find("notice"), made_whole.rfind("notice")) << made_whole;
+  EXPECT_EQ(test::fileText(table), rows);
   // a result that another has
   files.written("out/runs.csv", rows);
   ASSERT_EQ(swept("").exit_code, 0);
