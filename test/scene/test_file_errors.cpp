@@ -110,11 +110,11 @@ TEST(SceneText, IsOneDocument) {
 }
 
 TEST(SceneText, HasNoAnchorsAliasesOrTags) {
-  const std::string refusal = "YAML anchors (&) and aliases (*) are not allowed in a scene";
+  const std::string refusal = "YAML anchors (&) and aliases (*) are not allowed";
   EXPECT_EQ(errorOf("gravity: &g [0, 0, 1]\n"), "s.yaml:1: " + refusal);
   EXPECT_EQ(errorOf("a: &x 1\nb: *x\n"), "s.yaml:1: " + refusal);
   EXPECT_EQ(errorOf("time_step: !!float 1\n"),
-            "s.yaml:1: YAML tags are not allowed in a scene, got tag:yaml.org,2002:float");
+            "s.yaml:1: YAML tags are not allowed, got tag:yaml.org,2002:float");
 }
 
 TEST(SceneText, RepeatsNoKey) {

@@ -84,7 +84,7 @@ TEST(SceneLimit, StopsABombOfAliases) {
   std::string bomb = "a: &a [x, x]\n";
   for (char c = 'b'; c <= 'z'; ++c)
     bomb += std::string(1, c) + ": &" + c + " [*" + char(c - 1) + ", *" + char(c - 1) + "]\n";
-  EXPECT_EQ(errorOf(bomb), "s.yaml:1: YAML anchors (&) and aliases (*) are not allowed in a scene");
+  EXPECT_EQ(errorOf(bomb), "s.yaml:1: YAML anchors (&) and aliases (*) are not allowed");
 }
 
 }  // namespace rigid_body_sim

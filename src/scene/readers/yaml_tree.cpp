@@ -65,7 +65,7 @@ class TreeBuilder {
     throw SceneError(source_, event.line, message);
   }
   [[noreturn]] void failOnAnchor(const YamlEvent& event) const {
-    fail(event, "YAML anchors (&) and aliases (*) are not allowed in a scene");
+    fail(event, "YAML anchors (&) and aliases (*) are not allowed");
   }
 
   bool expectsKey() const {
@@ -75,7 +75,7 @@ class TreeBuilder {
   void refuseDecorations(const YamlEvent& event) const {
     if (event.has_anchor) failOnAnchor(event);
     if (!event.tag.empty())
-      fail(event, "YAML tags are not allowed in a scene, got " + printable(std::string(event.tag)));
+      fail(event, "YAML tags are not allowed, got " + printable(std::string(event.tag)));
   }
 
   void takeScalar(const YamlEvent& event) {

@@ -4,7 +4,6 @@
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 #include "scene/files/number_text.hpp"
-#include "scene/files/read_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/readers/entry.hpp"
 #include "scene/study/read_record.hpp"
@@ -89,8 +88,13 @@ Distribution readDistribution(const Entry& entry) {
   };
   Def found;
   readMapping(entry, keys, found);
-  if (found.size() != 1)
-    entry.failRule("must name one of normal, uniform, list, grid and rotation");
+  if (found.size() > 1) {
+    std::string names;
+    for (const YamlNode& node : entry.node().children())
+      names += (names.empty() ? "" : " and ") + std::string(node.key());
+    entry.fail(entry.key() + " must name exactly one distribution, got " + names);
+  }
+  if (found.empty()) entry.failRule("must name one of normal, uniform, list, grid and rotation");
   return found.front();
 }
 
@@ -163,6 +167,8 @@ Study parseStudy(const std::string& yaml_text, const std::string& source_name,
   ReadContext context;
   context.source = source_name;
   const Entry root(context, document.root);
+  if (document.root.find("bodies"))
+    root.fail("is a scene, not a study: the scene comes first, the study second");
   Study study;
   study.source = source_name;
   readMapping(root, keys, study);
@@ -171,11 +177,6 @@ Study parseStudy(const std::string& yaml_text, const std::string& source_name,
   if (study.runs == 0) root.fail("missing key 'runs'");
   refuseManyRuns(study, root);
   return study;
-}
-
-Study loadStudy(const std::string& path, std::optional<std::int64_t> runs,
-                std::optional<std::uint64_t> seed) {
-  return parseStudy(readFile(path, "study file", kMaxSceneBytes), path, runs, seed);
 }
 
 }  // namespace rigid_body_sim

@@ -99,11 +99,9 @@ constexpr std::int64_t kMaxSweepRuns = 100000000;
 /// How many choices the grids of a study have together, at most kMaxSweepRuns + 1.
 std::int64_t gridSize(const Study& study);
 
-/// Reads a study file. An unknown or missing key, an empty list, a value that breaks its rule and
-/// more than kMaxSweepRuns runs throw SceneError, one line. runs, seed: of the command line, in
-/// place of the file's.
-Study loadStudy(const std::string& path, std::optional<std::int64_t> runs = {},
-                std::optional<std::uint64_t> seed = {});
+/// Reads the text of a study file. An unknown or missing key, an empty list, a value that breaks
+/// its rule and more than kMaxSweepRuns runs throw SceneError, one line. runs, seed: of the command
+/// line, in place of the file's.
 Study parseStudy(const std::string& yaml_text, const std::string& source_name,
                  std::optional<std::int64_t> runs = {}, std::optional<std::uint64_t> seed = {});
 

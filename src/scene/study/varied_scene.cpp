@@ -106,7 +106,8 @@ void VariedScene::addSlot(const Varied& varied, const Study& study) {
   if (!slot.node)
     failPath(study, varied,
              "is not in " + context_.source + "; the nearest that is: '" +
-                 nearestOf(varied.path, pathsOf(document_.root)) + "'");
+                 nearestOf(varied.path, pathsOf(document_.root)) +
+                 "'; a key that the scene leaves out must be written into it first");
   const YamlNodes<YamlNode> items = slot.node->children();
   const bool holds_mappings = slot.node->kind() == YamlNode::Kind::kMapping ||
                               std::any_of(items.begin(), items.end(), [](const YamlNode& n) {
@@ -140,7 +141,9 @@ void VariedScene::refuseOverlaps(const Study& study) const {
   for (std::size_t i = 0; i < slots_.size(); ++i)
     for (std::size_t j = 0; j < slots_.size(); ++j)
       if (i != j && (slots_[i].node == slots_[j].node || lies(slots_[i].node, *slots_[j].node)))
-        failPath(study, study.vary[i], "is part of '" + slots_[j].path + "', which varies, too");
+        failPath(study, study.vary[i],
+                 (slots_[i].node == slots_[j].node ? "is the same value as '" : "is part of '") +
+                     slots_[j].path + "', which varies, too");
 }
 
 void VariedScene::findPart(Slot& slot) {

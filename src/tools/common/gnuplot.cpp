@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -50,14 +51,19 @@ bool isWhole(const std::string& picture) {
 
 void runGnuplot(const std::string& script, const std::string& picture) {
   requireWritable(picture);
+  const auto fail = [&](const std::string& message) {
+    std::error_code kept;
+    // what is not whole is no picture
+    if (std::filesystem::is_regular_file(picture, kept)) std::filesystem::remove(picture, kept);
+    throw std::runtime_error(message);
+  };
   // its warnings are about its script, which the user has not written
   std::FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
-  if (!gnuplot) throw std::runtime_error("gnuplot cannot be started");
+  if (!gnuplot) fail("gnuplot cannot be started");
   std::fputs(script.c_str(), gnuplot);
-  if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot could not draw " + picture);
+  if (pclose(gnuplot) != 0) fail("gnuplot could not draw " + picture);
   if (!isWhole(picture))
-    throw std::runtime_error(picture +
-                             ": ends before the end of the picture; is there room on the disk?");
+    fail(picture + ": ends before the end of the picture; is there room on the disk?");
 }
 
 std::string gnuplotText(const std::string& text) {

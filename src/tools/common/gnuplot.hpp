@@ -15,7 +15,8 @@ std::string gnuplotIsMissing(const std::string& there);
 /// not take: it must not be empty, nor have line ends in it. option: without its dashes.
 std::string pictureDirectory(const std::string& option, const std::string& path);
 
-/// Gives gnuplot a script. Throws std::runtime_error, which names the picture, where it fails.
+/// Gives gnuplot a script. Throws std::runtime_error, which names the picture, where it fails,
+/// and leaves none then.
 void runGnuplot(const std::string& script, const std::string& picture);
 
 /// As gnuplot reads a text of one line word for word: in double quotes it would run what stands in

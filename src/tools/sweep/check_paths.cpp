@@ -38,6 +38,15 @@ bool countsBySomeIntegrator(const std::string& path, const std::vector<Varied>& 
                      [](const Varied& varied) { return varied.path == "integrator"; });
 }
 
+/// The scene may not state what varies beside the path.
+std::string statedByOther(const std::string& path, const std::vector<Varied>& vary) {
+  if (path != "integrator" && path != "tolerance") return "";
+  const std::string other = path == "integrator" ? "tolerance" : "integrator";
+  const bool varies = std::any_of(vary.begin(), vary.end(),
+                                  [&](const Varied& varied) { return varied.path == other; });
+  return varies ? "; the study varies '" + other + "', too, and so states it" : "";
+}
+
 /// Whether another path decides what starts within a run.
 bool othersMoveStarts(const std::string& path, const std::vector<Varied>& vary) {
   const std::string key = ".start";
@@ -78,7 +87,8 @@ bool differWithin(double duration, const World& a, const State& initial_a, const
 
 std::string text(const SceneValue& value) {
   std::string all;
-  for (const SceneValue::Word& word : value.words) all += (all.empty() ? "" : ", ") + word.text;
+  for (const SceneValue::Word& word : value.words)
+    all += (all.empty() ? "" : ", ") + (word.text.empty() ? "\"\"" : word.text);
   return printable(value.is_list ? "[" + all + "]" : all);
 }
 
@@ -198,6 +208,9 @@ void SweepRunner::checkPath(std::size_t index) {
     throw SceneError(inputs_.study.source, varied.line,
                      oneLine("vary: '" + varied.path + "' " + message));
   };
+  const auto failAtScene = [&](const std::string& why) {
+    fail(why + statedByOther(varied.path, inputs_.study.vary));
+  };
   const bool all_must_do = namesItsValues(varied.distribution);
   // what is under `forces` are parameters of laws, all of which act
   bool reaches = varied.path.rfind("forces", 0) == 0 ||
@@ -209,7 +222,7 @@ void SweepRunner::checkPath(std::size_t index) {
   for (const SceneValue& probe : probesOf(index)) {
     if (first && reaches && !all_must_do) break;
     std::optional<Built> built = builtWith(index, probe, refusal);
-    if (!built && all_must_do) fail(refusal);
+    if (!built && all_must_do) failAtScene(refusal);
     if (!built) continue;
     if (!first) {
       first = Reference{probe, std::move(*built), false, std::nullopt};
@@ -221,12 +234,13 @@ void SweepRunner::checkPath(std::size_t index) {
       reaches = !movesAlike(*first, *built, varied.path);
     }
   }
-  if (!first) fail(refusal);
+  if (!first) failAtScene(refusal);
   if (all_must_do && has_one && isAsInTheScene(index, first->value, !may_reach))
     fail("varies nothing: the only value, " + text(first->value) +
          ", moves the bodies as the scene's own does");
   if (differs && !reaches && !reachesBesideOthers(index, probesOf(index)))
-    fail("varies nothing: the bodies move alike whether it is " + text(first->value) + " or not");
+    fail("varies nothing: the bodies move alike whether it is " + text(first->value) +
+         " or not; remove it, or change in the scene what keeps it from acting");
   scene_.set(index, scene_.own(index));
 }
 

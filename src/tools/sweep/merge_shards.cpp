@@ -3,104 +3,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "programs/make_directory.hpp"
-#include "programs/usage.hpp"
+#include "tools/sweep/kept_rows.hpp"
+#include "tools/sweep/other_tables.hpp"
 #include "tools/sweep/run_table.hpp"
-#include "tools/sweep/shard.hpp"
+#include "tools/sweep/shard_set.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct ShardFiles {
-  Shard shard;
-  fs::path directory;
-
-  std::string path(const std::string& stem, const std::string& extension) const {
-    return (directory / shard.fileName(stem, extension)).string();
-  }
-};
-
-/// The shard whose table has this name, such as runs.2of4.csv; none of any other file.
-std::optional<Shard> shardOf(const std::string& name) {
-  const std::string head = "runs.", tail = ".csv";
-  const std::size_t of = name.find("of");
-  if (name.rfind(head, 0) != 0 || name.size() < head.size() + tail.size() ||
-      name.substr(name.size() - tail.size()) != tail || of == std::string::npos)
-    return std::nullopt;
-  try {
-    return parseShard(name.substr(head.size(), of - head.size()) + "/" +
-                      name.substr(of + 2, name.size() - tail.size() - of - 2));
-  } catch (const UsageError&) {
-    return std::nullopt;
-  }
-}
-
-/// By their number.
-std::map<std::int64_t, ShardFiles> shardsIn(const std::vector<std::string>& directories) {
-  std::map<std::int64_t, ShardFiles> shards;
-  for (const std::string& directory : directories) {
-    if (!fs::is_directory(directory)) throw std::runtime_error(directory + ": is no directory");
-    for (const fs::directory_entry& file : fs::directory_iterator(directory)) {
-      const std::optional<Shard> shard = shardOf(file.path().filename().string());
-      if (!shard) continue;
-      const auto [other, is_new] = shards.emplace(shard->index, ShardFiles{*shard, directory});
-      if (!is_new)
-        throw std::runtime_error(file.path().string() + ": is there twice, in " +
-                                 other->second.directory.string() + ", too");
-    }
-  }
-  // a sweep that was not divided
-  if (shards.empty() && fs::exists(fs::path(directories.front()) / "runs.csv"))
-    shards.emplace(1, ShardFiles{Shard{}, directories.front()});
-  if (shards.empty())
-    throw std::runtime_error(directories.front() +
-                             ": has no table of a shard, such as runs.1of4.csv");
-  return shards;
-}
-
-SweepInfo infoOf(const ShardFiles& files) {
-  const std::string path = files.path("runs", ".info");
-  const auto info = sweepInfoIn(textOf(path).value_or(""));
-  if (!info) throw std::runtime_error(path + ": is not there, or not of a sweep");
-  return *info;
-}
-
-void requireRows(const std::string& path, std::int64_t all) {
-  const std::int64_t rows = wholeRows(path);
-  if (rows != all)
-    throw std::runtime_error(path + ": has " + std::to_string(rows) + " of " + std::to_string(all) +
-                             " rows; finish it with --resume");
-}
-
-/// Refuses what is no whole sweep.
-SweepInfo checked(const std::map<std::int64_t, ShardFiles>& shards) {
-  const ShardFiles& first = shards.begin()->second;
-  const SweepInfo info = infoOf(first);
-  for (std::int64_t i = 1; i <= first.shard.count; ++i) {
-    const auto found = shards.find(i);
-    const std::string name = Shard{i, first.shard.count}.fileName("runs", ".csv");
-    if (found == shards.end()) throw std::runtime_error(name + ": this shard is missing");
-    const ShardFiles& files = found->second;
-    const std::string path = files.path("runs", ".csv");
-    if (files.shard.count != first.shard.count)
-      throw std::runtime_error(path + ": is of another number of shards than " +
-                               first.path("runs", ".csv"));
-    if (toText(infoOf(files)) != toText(info))
-      throw std::runtime_error(path + ": is of another sweep than " + first.path("runs", ".csv"));
-    requireRows(path, files.shard.runsOf(info.runs));
-    if (!info.fan.empty())
-      requireRows(files.path("fan", ".csv"), files.shard.runsOf(info.fanRuns()));
-  }
-  return info;
-}
 
 /// The lines of a table, read piece by piece: there may be more shards than files that a process
 /// may have open.
@@ -141,30 +57,54 @@ class TableLines {
   std::size_t begin_ = 0;  // in the text, of the next line
 };
 
+/// A table of a shard that is read.
+struct OpenShard {
+  const ShardTable& shard;
+  TableLines lines;
+  std::uint64_t digest = 0;  // of the rows that were read
+};
+
+/// Refuses rows which are not those that a shard has written.
+void requireWritten(const std::vector<OpenShard>& tables, const std::string& stem,
+                    const std::string& header) {
+  const auto columns = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',') + 1);
+  for (const OpenShard& table : tables) {
+    const auto& [sweep, ledger] = table.shard.info;
+    if (stem == "runs")
+      requireLedger(table.shard.files, ledger, table.digest,
+                    {columns, sweep.varied, sweep.records});
+    else if (table.digest != ledger.fan_digest)
+      throw std::runtime_error(table.lines.path() +
+                               ": its rows are not those that were written; somebody has changed "
+                               "the table: remove it, and --resume makes it again");
+  }
+}
+
 /// One line of each table in turn, as long as there are any. Shards differ by one row at most.
-void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::string& stem,
+void interleave(const std::vector<ShardTable>& shards, const std::string& stem,
                 const std::string& out) {
   constexpr std::size_t kPiece = 1 << 20, kAllPieces = 16 << 20;
   const std::size_t piece = std::clamp<std::size_t>(kAllPieces / shards.size(), 4096, kPiece);
-  std::vector<std::pair<TableLines, Shard>> tables;
+  std::vector<OpenShard> tables;
   std::string line, header;
-  for (const auto& [index, files] : shards) {
-    tables.emplace_back(TableLines(files.path(stem, ".csv"), piece), files.shard);
-    TableLines& table = tables.back().first;
-    if (!table.next(line)) throw std::runtime_error(table.path() + ": cannot be read");
-    if (index == 1) header = line;
+  for (const ShardTable& shard : shards) {
+    tables.push_back({shard, TableLines(shard.files.path(stem, ".csv"), piece)});
+    TableLines& lines = tables.back().lines;
+    if (!lines.next(line)) throw std::runtime_error(lines.path() + ": cannot be read");
+    if (tables.size() == 1) header = line;
     if (line != header)
-      throw std::runtime_error(table.path() + ":1: has other columns than " +
-                               tables.front().first.path());
+      throw std::runtime_error(lines.path() + ":1: has other columns than " +
+                               tables.front().lines.path());
   }
-  RunTable merged = RunTable::create(out, header);
+  RunTable merged = RunTable::create(LockedFile(out), header);
   std::string rows;
   bool any = true;
   for (std::int64_t row = 0; any; ++row) {
     any = false;
-    for (auto& [table, shard] : tables)
-      if (table.next(line)) {
-        requireRowInPlace(table.path(), row, line, shard);
+    for (OpenShard& table : tables)
+      if (table.lines.next(line)) {
+        requireRowInPlace(table.lines.path(), row, line, table.shard.files.shard);
+        table.digest += digestOfRow(line);
         any = true;
         rows += line + "\n";
       }
@@ -172,29 +112,60 @@ void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::str
     merged.append(rows);
     rows.clear();
   }
+  requireWritten(tables, stem, header);
 }
+
+/// The tables that are made in a directory, beside those that are there until they are whole.
+class MergedTables {
+ public:
+  /// Throws std::runtime_error where a sweep writes them, or where they are not of a sweep.
+  MergedTables(const fs::path& directory, bool has_fan)
+      : directory_(directory), lock_((directory / "runs.csv").string()) {
+    if (has_fan) stems_.push_back("fan");
+    for (const std::string& stem : stems_) requireTableOfASweep(path(stem), stem);
+  }
+
+  MergedTables(const MergedTables&) = delete;
+  MergedTables& operator=(const MergedTables&) = delete;
+
+  /// Removes what is not whole.
+  ~MergedTables() {
+    std::error_code is_gone;
+    for (const std::string& stem : stems_) fs::remove(part(stem), is_gone);
+    if (lock_.isNew() && !is_in_place_) fs::remove(lock_.path(), is_gone);
+  }
+
+  const std::vector<std::string>& stems() const { return stems_; }
+  std::string part(const std::string& stem) const { return path(stem) + ".part"; }
+
+  void putInPlace() {
+    removeOldResults({Shard{}, directory_}, stems_.size() > 1);
+    for (const std::string& stem : stems_) fs::rename(part(stem), path(stem));
+    is_in_place_ = true;
+  }
+
+ private:
+  std::string path(const std::string& stem) const {
+    return (directory_ / (stem + ".csv")).string();
+  }
+
+  fs::path directory_;
+  LockedFile lock_;
+  std::vector<std::string> stems_{"runs"};
+  bool is_in_place_ = false;
+};
 
 }  // namespace
 
-SweepInfo mergeShards(const std::vector<std::string>& directories, const std::string& out) {
-  const std::map<std::int64_t, ShardFiles> shards = shardsIn(directories);
-  const SweepInfo info = checked(shards);
+TableInfo mergeShards(const std::vector<std::string>& directories, const std::string& out) {
+  const std::vector<ShardTable> shards = shardsIn(directories);
+  TableInfo info{shards.front().info.sweep, {}};
+  for (const ShardTable& shard : shards) info.ledger.add(shard.info.ledger);
   makeDirectory(out);
-  const fs::path directory = out;
-  for (const char* stem : {"runs", "fan"}) {
-    if (std::string(stem) == "fan" && info.fan.empty()) continue;
-    const fs::path table = directory / (std::string(stem) + ".csv"),
-                   part = table.string() + ".part";
-    try {
-      interleave(shards, stem, part.string());
-      fs::rename(part, table);
-    } catch (...) {
-      std::error_code is_gone;
-      fs::remove(part, is_gone);
-      throw;
-    }
-  }
-  writeText((directory / "runs.info").string(), toText(info));
+  MergedTables tables(out, !info.sweep.fan.empty());
+  for (const std::string& stem : tables.stems()) interleave(shards, stem, tables.part(stem));
+  tables.putInPlace();
+  writeText((fs::path(out) / "runs.info").string(), toText(info));
   return info;
 }
 

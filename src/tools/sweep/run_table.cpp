@@ -4,95 +4,50 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include "scene/message_text.hpp"
+#include "tools/sweep/sweep_ledger.hpp"
 
 namespace rigid_body_sim {
-namespace {
 
-[[noreturn]] void failToWrite(const std::string& path) {
-  throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
-}
-
-/// The place after so many rows and the header, from the start of a file.
-std::int64_t endOfRows(const std::string& path, std::int64_t rows, const Shard& shard) {
-  std::ifstream in(path, std::ios::binary);
-  std::string line;
-  for (std::int64_t i = 0; i <= rows; ++i) {
-    if (!std::getline(in, line) || in.eof())
-      throw std::runtime_error(path + ": has fewer rows than a moment ago");
-    if (i > 0) requireRowInPlace(path, i - 1, line, shard);
-  }
-  return static_cast<std::int64_t>(in.tellg());
-}
-
-}  // namespace
-
-RunTable::RunTable(std::string path, int flags)
-    : path_(std::move(path)),
-      descriptor_(open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags, 0666)) {
-  if (descriptor_ < 0) failToWrite(path_);
-  // a file system without locks is taken as it is
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  close(descriptor_);
-  throw std::runtime_error(path_ +
-                           ": another sweep is writing it; wait for it, or name another --out");
-}
-
-void RunTable::cutTo(std::int64_t bytes) {
-  // a device cannot be cut, and has no rows to keep
-  if (ftruncate(descriptor_, bytes) != 0 && errno != EINVAL) failToWrite(path_);
-}
-
-RunTable::RunTable(RunTable&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-RunTable::~RunTable() {
-  if (descriptor_ >= 0) close(descriptor_);
-}
-
-RunTable RunTable::create(const std::string& path, const std::string& header) {
-  RunTable table(path, O_CREAT);
-  table.cutTo(0);
+RunTable RunTable::create(LockedFile file, const std::string& header) {
+  RunTable table(std::move(file));
+  table.file_.cutTo(0);
   table.append(header + "\n");
   return table;
 }
 
-RunTable RunTable::reopen(const std::string& path, const std::string& header, std::int64_t rows,
-                          const Shard& shard) {
-  std::string line;
-  std::getline(std::ifstream(path), line);
-  if (line != header)
-    throw std::runtime_error(path + ": is another table; remove it, or leave --resume out");
-  RunTable table(path, 0);
-  table.cutTo(endOfRows(path, rows, shard));
+RunTable RunTable::reopen(LockedFile file, std::int64_t bytes) {
+  RunTable table(std::move(file));
+  table.file_.cutTo(bytes);
   return table;
 }
 
-void RunTable::append(const std::string& rows) {
-  const off_t before = lseek(descriptor_, 0, SEEK_END);
-  for (std::size_t done = 0; done < rows.size();) {
-    const ssize_t n = write(descriptor_, rows.data() + done, rows.size() - done);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) {
-      const int why = errno;
-      // a device cannot be cut, and has no rows to keep whole
-      const bool is_cut = before >= 0 && ftruncate(descriptor_, before) == 0;
-      static_cast<void>(is_cut);
-      errno = why;
-      failToWrite(path_);
-    }
-    done += static_cast<std::size_t>(n);
+RowsRead readRows(const std::string& path, const std::string& header, std::int64_t rows,
+                  const Shard& shard) {
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  std::getline(in, line);
+  if (line != header)
+    throw std::runtime_error(path +
+                             ":1: has other columns than this sweep; remove it to begin anew");
+  RowsRead read;
+  for (std::int64_t row = 0; row < rows; ++row) {
+    if (!std::getline(in, line) || in.eof())
+      throw std::runtime_error(path + ": has fewer rows than a moment ago");
+    requireRowInPlace(path, row, line, shard);
+    read.digest += digestOfRow(line);
   }
+  read.bytes = static_cast<std::int64_t>(in.tellg());
+  return read;
 }
 
 void requireRowInPlace(const std::string& path, std::int64_t row, const std::string& line,
@@ -125,10 +80,27 @@ std::optional<std::string> textOf(const std::string& path) {
 }
 
 void writeText(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  if (!out) failToWrite(path);
+  const std::string part = path + ".part";
+  {
+    std::ofstream out(part, std::ios::binary | std::ios::trunc);
+    out << text;
+    out.close();
+    if (out && std::rename(part.c_str(), path.c_str()) == 0) return;
+  }
+  const int why = errno;
+  std::remove(part.c_str());
+  errno = why;
+  failToWrite(path);
+}
+
+void overwriteText(const std::string& path, const std::string& text) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  const auto size = static_cast<off_t>(text.size());
+  const bool is_whole =
+      pwrite(descriptor, text.data(), text.size(), 0) == size && ftruncate(descriptor, size) == 0;
+  static_cast<void>(is_whole);  // else it is read as none
+  close(descriptor);
 }
 
 }  // namespace rigid_body_sim

@@ -3,40 +3,47 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "tools/sweep/locked_file.hpp"
 #include "tools/sweep/shard.hpp"
 
 namespace rigid_body_sim {
 
 /// A table in a file that at every instant holds whole rows only: each append is one write, and
-/// what a full disk cuts off is taken away again. No other process has the same table open.
+/// what a full disk cuts off is taken away again.
 class RunTable {
  public:
-  /// A new file with a header line, in place of what was there. Throws std::runtime_error where it
-  /// cannot be written, and leaves it as it was where another process has it open.
-  static RunTable create(const std::string& path, const std::string& header);
+  /// Of a header line, in place of what was there. Throws std::runtime_error where it cannot be
+  /// written.
+  static RunTable create(LockedFile file, const std::string& header);
 
-  /// A file of this header, whose first rows, as many as asked for, are kept and whose rest is cut
-  /// off. Throws std::runtime_error where it is another table, open in another process, or has a
-  /// row at the place of another.
-  static RunTable reopen(const std::string& path, const std::string& header, std::int64_t rows,
-                         const Shard& shard);
-
-  RunTable(RunTable&& other) noexcept;
-  RunTable& operator=(RunTable&&) = delete;
-  ~RunTable();
+  /// What is there, up to so many bytes.
+  static RunTable reopen(LockedFile file, std::int64_t bytes);
 
   /// Whole rows. Throws std::runtime_error, and leaves the table as it was, where the file does not
   /// take them.
-  void append(const std::string& rows);
+  void append(const std::string& rows) { file_.append(rows); }
+
+  /// Throws std::runtime_error where it is no longer the file of its path.
+  void requireInPlace() const { file_.requireInPlace(); }
 
  private:
-  RunTable(std::string path, int flags);
-  void cutTo(std::int64_t bytes);
+  explicit RunTable(LockedFile file) : file_(std::move(file)) {}
 
-  std::string path_;
-  int descriptor_;
+  LockedFile file_;
 };
+
+/// What is known of rows that were read.
+struct RowsRead {
+  std::uint64_t digest = 0;
+  std::int64_t bytes = 0;  ///< up to their end, with the header
+};
+
+/// Reads the first rows of a table. Throws std::runtime_error where it has another header, fewer
+/// rows, or one at the place of another.
+RowsRead readRows(const std::string& path, const std::string& header, std::int64_t rows,
+                  const Shard& shard);
 
 /// Throws std::runtime_error for the row number `row` of a shard's table, from 0 on, that is not of
 /// the run that belongs there.
@@ -49,7 +56,10 @@ std::int64_t wholeRows(const std::string& path);
 /// The whole text of a small file; none where there is no file.
 std::optional<std::string> textOf(const std::string& path);
 
-/// Writes a small file. Throws std::runtime_error.
+/// Writes a small file, which is there as a whole or as it was before. Throws WriteError.
 void writeText(const std::string& path, const std::string& text);
+
+/// Writes a text over that of a file, without room for another; where it cannot, it stays away.
+void overwriteText(const std::string& path, const std::string& text);
 
 }  // namespace rigid_body_sim

@@ -1,7 +1,6 @@
 #include "tools/sweep/shard.hpp"
 
-#include <optional>
-#include <string_view>
+#include <utility>
 
 #include "programs/usage.hpp"
 #include "scene/message_text.hpp"
@@ -16,14 +15,27 @@ std::optional<std::int64_t> numberOf(std::string_view text) {
   return number ? std::optional(static_cast<std::int64_t>(*number)) : std::nullopt;
 }
 
-/// The number in a variable that must be set, beside another that is.
-std::int64_t numberIn(const Environment& environment, const char* name, const char* beside) {
-  const char* text = environment(name);
+/// The two numbers of a shard with a text between.
+std::optional<Shard> shardIn(std::string_view text, std::string_view between) {
+  const std::size_t at = text.find(between);
+  if (at == std::string_view::npos) return std::nullopt;
+  const auto index = numberOf(text.substr(0, at));
+  const auto count = numberOf(text.substr(at + between.size()));
+  if (!index || !count || *index < 1 || *index > *count) return std::nullopt;
+  return Shard{*index, *count};
+}
+
+/// The number in a variable that must be set since another is.
+std::int64_t numberIn(const Environment& environment, const std::string& name,
+                      const std::string& other) {
+  const char* text = environment(name.c_str());
   const auto number = text ? numberOf(text) : std::nullopt;
   if (!number)
-    throw UsageError("environment: " + std::string(name) + " must be a whole number up to " +
-                     std::to_string(kMaxSweepRuns) + " beside " + beside + ", got " +
-                     (text ? "'" + printable(std::string(text)) + "'" : "nothing"));
+    throw UsageError("environment: " + name + " must be a whole number up to " +
+                     std::to_string(kMaxSweepRuns) +
+                     (name == other ? "" : ", since " + other + " is set") + ", got " +
+                     (text ? "'" + printable(std::string(text)) + "'" : "nothing") +
+                     "; or --shard I/N says which runs are made");
   return *number;
 }
 
@@ -34,18 +46,24 @@ LaunchedShard checked(std::int64_t index, std::int64_t count, const std::string&
   return {{index, count}, by};
 }
 
+constexpr const char* kShards = "RIGID_BODY_SIM_SHARDS";
+
 LaunchedShard slurmShard(const Environment& environment) {
-  const char* const kId = "SLURM_ARRAY_TASK_ID";
-  const std::int64_t id = numberIn(environment, kId, kId);
-  const std::int64_t count = numberIn(environment, "SLURM_ARRAY_TASK_COUNT", kId);
-  const std::int64_t first = numberIn(environment, "SLURM_ARRAY_TASK_MIN", kId);
-  const std::int64_t step = environment("SLURM_ARRAY_TASK_STEP")
-                                ? numberIn(environment, "SLURM_ARRAY_TASK_STEP", kId)
-                                : 1;
-  if (step < 1 || (id - first) % step != 0)
-    throw UsageError(
-        "environment: SLURM_ARRAY_TASK_STEP does not lead from the first to this task");
-  return checked((id - first) / step + 1, count, kId);
+  const std::string array = "SLURM_ARRAY_TASK_", id_name = array + "ID";
+  const auto number = [&](const std::string& name) { return numberIn(environment, name, id_name); };
+  const std::int64_t id = number(id_name);
+  // a part of an array, too, such as a task that is repeated
+  if (environment(kShards)) return checked(id, number(kShards), id_name);
+  const std::int64_t count = number(array + "COUNT"), first = number(array + "MIN");
+  const bool has_step = environment((array + "STEP").c_str()) != nullptr;
+  const std::int64_t step = has_step ? number(array + "STEP") : 1;
+  const bool has_last = environment((array + "MAX").c_str()) != nullptr;
+  if (step < 1 || (id - first) % step != 0 ||
+      (has_last && first + (count - 1) * step != number(array + "MAX")))
+    throw UsageError("environment: the tasks of this array of Slurm are not FIRST-LAST:STEP; " +
+                     std::string(kShards) +
+                     "=N makes the task of number I, 1 to N, shard I of N; --shard I/N does, too");
+  return checked((id - first) / step + 1, count, id_name);
 }
 
 }  // namespace
@@ -55,13 +73,18 @@ std::string Shard::fileName(const std::string& stem, const std::string& extensio
   return stem + "." + std::to_string(index) + "of" + std::to_string(count) + extension;
 }
 
+std::optional<Shard> shardOfTable(std::string_view name) {
+  constexpr std::string_view kHead = "runs.", kTail = ".csv";
+  if (name.size() <= kHead.size() + kTail.size() || name.substr(0, kHead.size()) != kHead ||
+      name.substr(name.size() - kTail.size()) != kTail)
+    return std::nullopt;
+  const auto shard =
+      shardIn(name.substr(kHead.size(), name.size() - kHead.size() - kTail.size()), "of");
+  return shard && shard->fileName("runs", ".csv") == name ? shard : std::nullopt;
+}
+
 Shard parseShard(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  if (slash != std::string::npos) {
-    const auto index = numberOf(std::string_view(text).substr(0, slash));
-    const auto count = numberOf(std::string_view(text).substr(slash + 1));
-    if (index && count && *index >= 1 && *index <= *count) return {*index, *count};
-  }
+  if (const std::optional<Shard> shard = shardIn(text, "/")) return *shard;
   throw UsageError("--shard: must be I/N with 1 <= I <= N <= " + std::to_string(kMaxSweepRuns) +
                    ", got '" + printable(text) + "'");
 }
@@ -73,9 +96,18 @@ LaunchedShard launchedShard(const Environment& environment) {
     if (environment(rank))
       return checked(numberIn(environment, rank, rank) + 1, numberIn(environment, size, rank),
                      rank);
-  if (environment("PARALLEL_SEQ") && environment("RIGID_BODY_SIM_SHARDS"))
-    return checked(numberIn(environment, "PARALLEL_SEQ", "RIGID_BODY_SIM_SHARDS"),
-                   numberIn(environment, "RIGID_BODY_SIM_SHARDS", "PARALLEL_SEQ"), "PARALLEL_SEQ");
+  // a batch script has a SLURM_PROCID, too, but is no task of a step
+  const char *const task = "SLURM_PROCID", *const tasks = "SLURM_STEP_NUM_TASKS";
+  if (environment(task) && environment(tasks))
+    return checked(numberIn(environment, task, tasks) + 1, numberIn(environment, tasks, task),
+                   task);
+  // says how many processes there are to a library of PMIx alone
+  if (environment("PMIX_RANK"))
+    return checked(numberIn(environment, "PMIX_RANK", "PMIX_RANK") + 1,
+                   numberIn(environment, kShards, "PMIX_RANK"), "PMIX_RANK");
+  if (environment("PARALLEL_SEQ") && environment(kShards))
+    return checked(numberIn(environment, "PARALLEL_SEQ", kShards),
+                   numberIn(environment, kShards, "PARALLEL_SEQ"), "PARALLEL_SEQ");
   return {};
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace rigid_body_sim {
 
@@ -19,6 +22,19 @@ struct Shard {
   std::string fileName(const std::string& stem, const std::string& extension) const;
 };
 
+/// Where the tables of a shard are.
+struct ShardFiles {
+  Shard shard;
+  std::filesystem::path directory;
+
+  std::string path(const std::string& stem, const std::string& extension) const {
+    return (directory / shard.fileName(stem, extension)).string();
+  }
+};
+
+/// The shard whose table has this name, such as runs.2of4.csv; none of any other file.
+std::optional<Shard> shardOfTable(std::string_view name);
+
 /// "2/4". Throws UsageError.
 Shard parseShard(const std::string& text);
 
@@ -32,8 +48,9 @@ struct LaunchedShard {
 using Environment = std::function<const char*(const char* name)>;
 
 /// The shard that the launcher of this process set: an array of Slurm jobs, Open MPI's mpirun, the
-/// PMI of other launchers, GNU parallel with RIGID_BODY_SIM_SHARDS for the number of shards. Throws
-/// UsageError for variables that do not fit together.
+/// PMI of other launchers, srun, GNU parallel or PMIx with RIGID_BODY_SIM_SHARDS for the number of
+/// shards, which holds for arrays, too, where it is set. Throws UsageError for variables that do
+/// not fit together.
 LaunchedShard launchedShard(const Environment& environment);
 
 }  // namespace rigid_body_sim

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
 #include "programs/distinct_files.hpp"
 #include "programs/run_program.hpp"
@@ -17,11 +18,29 @@
 namespace rigid_body_sim {
 namespace {
 
+/// What the user must know of runs without results, and of those that are not sure ones.
+void notify(const SweepLedger& ledger) {
+  const auto say = [](const NotedRuns& runs, const std::string& one, const std::string& more) {
+    if (runs.count > 0)
+      SweepJob::notify(std::to_string(runs.count) + (runs.count == 1 ? one : more) +
+                       "; the first is run " + std::to_string(runs.first) + ": " + runs.why);
+  };
+  say(ledger.refused, " run has no result", " runs have no result");
+  say(ledger.doubtful, " run may have an error beyond the tolerance (runs.info says which)",
+      " runs may have errors beyond the tolerance (runs.info says which)");
+}
+
 /// What is made of the whole table.
 void report(const SweepInfo& info, const std::string& directory) {
   const std::filesystem::path out = directory;
   const SweepSummary summary = summarise((out / "runs.csv").string(), info);
-  writeText((out / "summary.csv").string(), summaryCsv(summary));
+  try {
+    writeText((out / "summary.csv").string(), summaryCsv(summary));
+  } catch (const WriteError& error) {
+    throw std::runtime_error(std::string(error.what()) +
+                             "; all runs are in runs.csv: once it can be written, the same command "
+                             "makes it, of a sweep with --resume");
+  }
   print(summaryTable(summary));
   if (hasGnuplot())
     plotSweep(summary, info, (out / "fan.csv").string(), (out / "sweep.svg").string());
@@ -47,17 +66,22 @@ void requireDistinctFiles(const SweepOptions& options) {
   requireDistinct(files);
 }
 
+void merge(const SweepOptions& options) {
+  const TableInfo info = mergeShards(options.merge, options.directory());
+  notify(info.ledger);
+  report(info.sweep, options.directory());
+}
+
 void run(const SweepOptions& options) {
-  if (!options.merge.empty())
-    return report(mergeShards(options.merge, options.directory()), options.directory());
+  if (!options.merge.empty()) return merge(options);
   requireDistinctFiles(options);
   SweepJob job(options);
-  for (const std::string& notice : job.notices())
-    std::fprintf(stderr, "%s\n", noticeLine("sweep", notice).c_str());
+  for (const std::string& notice : job.notices()) SweepJob::notify(notice);
   if (options.run) return print(job.writeScene(*options.run) + "\n");
   const Shard& shard = options.launched.shard;
   job.run();
-  if (shard.count == 1) return report(job.info(), options.directory());
+  notify(job.info().ledger);
+  if (shard.count == 1) return report(job.info().sweep, options.directory());
   print("shard " + std::to_string(shard.index) + " of " + std::to_string(shard.count) +
         (options.launched.by.empty() ? "" : " (" + options.launched.by + ")") +
         " is done; once all are: sweep merge " + options.directory() + "\n");

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/sweep/sweep_ledger.hpp"
+
 namespace rigid_body_sim {
 
 /// What tells one sweep from another, and what its columns are; beside every table as runs.info, so
@@ -23,9 +25,18 @@ struct SweepInfo {
   std::int64_t fanRuns() const { return fan.empty() ? 0 : std::min(runs, kFanRuns); }
 };
 
+/// What stands beside a table.
+struct TableInfo {
+  SweepInfo sweep;
+  SweepLedger ledger;  ///< of the rows that are known to be whole
+};
+
 /// One line per member, and back. Of a text that is none: nothing.
-std::string toText(const SweepInfo& info);
-std::optional<SweepInfo> sweepInfoIn(const std::string& text);
+std::string toText(const TableInfo& info);
+std::optional<TableInfo> tableInfoIn(const std::string& text);
+
+/// Whether their rows belong together, whatever the names of their files.
+bool isSameSweep(const SweepInfo& a, const SweepInfo& b);
 
 /// A hash of texts, one after the other.
 std::uint64_t digestOf(const std::vector<std::string>& texts);

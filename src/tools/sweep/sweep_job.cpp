@@ -9,6 +9,7 @@
 #include "math/shortest.hpp"
 #include "programs/make_directory.hpp"
 #include "programs/package_directory.hpp"
+#include "programs/step_watch.hpp"
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
 #include "scene/files/number_text.hpp"
@@ -17,9 +18,8 @@
 #include "scene/message_text.hpp"
 #include "scene/readers/file_type.hpp"
 #include "tools/common/progress_bar.hpp"
-#include "tools/sweep/run_table.hpp"
+#include "tools/sweep/other_tables.hpp"
 #include "tools/sweep/scene_files.hpp"
-#include "tools/sweep/stop_signals.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -38,7 +38,9 @@ std::string fanHeader(const std::vector<double>& instants) {
 
 SweepInputs inputsOf(const SweepOptions& options) {
   SweepInputs inputs;
-  inputs.study = loadStudy(options.study, options.runs, options.seed);
+  // once: what comes through a pipe cannot be read again, and a file may be another by then
+  inputs.study_text = readFile(options.study, "study file", kMaxSceneBytes);
+  inputs.study = parseStudy(inputs.study_text, options.study, options.runs, options.seed);
   requireSceneName(options.scene);
   inputs.scene_text = readFile(options.scene, "scene file", kMaxSceneBytes);
   inputs.context.source = options.scene;
@@ -54,31 +56,41 @@ std::string baseName(const std::string& path) {
 }  // namespace
 
 SweepJob::SweepJob(const SweepOptions& options)
-    : options_(options), shard_(options.launched.shard), inputs_(inputsOf(options)) {
+    : options_(options),
+      shard_(options.launched.shard),
+      files_{shard_, options.directory()},
+      inputs_(inputsOf(options)) {
   runners_.push_back(std::make_unique<SweepRunner>(inputs_));
   SweepRunner& runner = *runners_.front();
-  runner.checkPaths();
-  info_.title = baseName(options.scene) + ", " + baseName(options.study);
-  info_.digest = digestOfAll();
-  info_.runs = runner.runs();
-  info_.varied = runner.variedColumns();
-  info_.records = runner.records().size();
-  info_.fan = runner.fanName();
+  checkPaths();
+  SweepInfo& sweep = info_.sweep;
+  sweep.title = baseName(options.scene) + ", " + baseName(options.study);
+  sweep.digest = digestOfAll();
+  sweep.runs = runner.runs();
+  sweep.varied = runner.rowForm().varied;
+  sweep.records = runner.records().size();
+  sweep.fan = runner.fanName();
+}
+
+/// Which may go through whole runs.
+void SweepJob::checkPaths() {
+  StepWatch watch(notify, 10, [](double) {
+    return std::string(
+        "led to the first run: every path and every value of a list is tried, some by whole runs, "
+        "and these are long or many");
+  });
+  watch.begin(StepWatch::kBeforeTheRun);
+  runners_.front()->checkPaths();
 }
 
 /// Of scene, study and seed, and of the files that were read for the scene and for every value that
 /// a study lists.
 std::uint64_t SweepJob::digestOfAll() const {
-  std::vector<std::string> texts = {inputs_.scene_text,
-                                    readFile(options_.study, "study file", kMaxSceneBytes),
+  std::vector<std::string> texts = {inputs_.scene_text, inputs_.study_text,
                                     std::to_string(inputs_.study.seed)};
   for (std::string& file : digestsOfFiles(runners_.front()->context()))
     texts.push_back(std::move(file));
   return digestOf(texts);
-}
-
-std::string SweepJob::path(const std::string& stem, const std::string& extension) const {
-  return (std::filesystem::path(options_.directory()) / shard_.fileName(stem, extension)).string();
 }
 
 std::string SweepJob::sceneName(std::int64_t number) {
@@ -86,39 +98,21 @@ std::string SweepJob::sceneName(std::int64_t number) {
 }
 
 std::string SweepJob::writeScene(std::int64_t number) {
-  if (number >= info_.runs)
-    throw UsageError("--run: must be less than the " + std::to_string(info_.runs) +
+  if (number >= info_.sweep.runs)
+    throw UsageError("--run: must be less than the " + std::to_string(info_.sweep.runs) +
                      " runs of the study, got " + std::to_string(number));
   const std::string scene = runners_.front()->sceneOf(number);
   makeDirectory(options_.directory());
   const std::string path =
       (std::filesystem::path(options_.directory()) / sceneName(number)).string();
-  std::string heading = "# run " + std::to_string(number) + " of " + info_.title + ", seed " +
-                        std::to_string(inputs_.study.seed);
+  std::string heading = "# run " + std::to_string(number) + " of ";
+  // whose values depend on it
+  if (inputs_.study.latin_hypercube) heading += std::to_string(info_.sweep.runs) + " runs of ";
+  heading += info_.sweep.title + ", seed " + std::to_string(inputs_.study.seed);
   if (inputs_.study.duration)
     heading += "; its row is after simulate --duration " + shortest(*inputs_.study.duration);
   writeText(path, heading + "\n" + scene);
   return path;
-}
-
-/// Rows that an interrupted sweep has finished, in both tables.
-std::int64_t SweepJob::rowsToKeep() const {
-  const std::optional<std::string> info = textOf(path("runs", ".info"));
-  const std::string table = path("runs", ".csv");
-  const std::int64_t there = wholeRows(table);
-  if (there == 0) return 0;
-  if (!info)
-    throw std::runtime_error(table + ": of which sweep it is would stand in " +
-                             path("runs", ".info") +
-                             ", which is not there; remove the table, or leave --resume out");
-  if (info != toText(info_))
-    throw std::runtime_error(table +
-                             ": is of another sweep: the scene, the study, the seed, or a file "
-                             "that the scene names is another; remove it, or leave --resume out");
-  const std::int64_t rows = std::min(there, shard_.runsOf(info_.runs));
-  if (info_.fan.empty()) return rows;
-  const std::int64_t fan = wholeRows(path("fan", ".csv"));
-  return fan < std::min(rows, shard_.runsOf(info_.fanRuns())) ? fan : rows;
 }
 
 /// What meshes the first has read the others need not read again.
@@ -132,64 +126,154 @@ void SweepJob::addRunners(std::int64_t runs) {
 struct SweepJob::Tables {
   RunTable runs;
   std::optional<RunTable> fan;
+
+  void requireInPlace() const {
+    runs.requireInPlace();
+    if (fan) fan->requireInPlace();
+  }
 };
 
-/// Opens them after the rows that are kept; none: anew.
-SweepJob::Tables SweepJob::openTables(std::int64_t kept) const {
-  const auto open = [&](const std::string& stem, const std::string& header, std::int64_t rows) {
-    const std::string file = path(stem, ".csv");
-    return kept > 0 ? RunTable::reopen(file, header, rows, shard_) : RunTable::create(file, header);
-  };
+void SweepJob::notify(const std::string& notice) {
+  if (!notice.empty()) std::fprintf(stderr, "%s\n", noticeLine("sweep", notice).c_str());
+}
+
+TableHeaders SweepJob::headers() const {
   const SweepRunner& runner = *runners_.front();
-  Tables tables{open("runs", joined(runner.columns()), kept), std::nullopt};
+  return {joined(runner.columns()), fanHeader(runner.fanInstants()), runner.rowForm()};
+}
+
+/// What is gone on with; nothing where the tables begin anew.
+KeptRows SweepJob::rowsToKeep() const {
+  KeptRows kept;
+  if (options_.resume)
+    kept = keptRows(files_, info_.sweep, headers());
+  else
+    notify(refuseToReplace(files_, info_.sweep));
+  if (kept.ledger.rows == 0) {
+    requireTableOfASweep(files_.path("runs", ".csv"), "runs");
+    if (!info_.sweep.fan.empty()) requireTableOfASweep(files_.path("fan", ".csv"), "fan");
+  }
+  for (const std::string& notice : kept.notices) notify(notice);
+  return kept;
+}
+
+SweepJob::Tables SweepJob::openTables(LockedFile runs, const KeptRows& kept) {
+  const auto open = [](LockedFile file, const std::string& header, std::int64_t bytes) {
+    return bytes > 0 ? RunTable::reopen(std::move(file), bytes)
+                     : RunTable::create(std::move(file), header);
+  };
+  const TableHeaders first = headers();
+  info_.ledger = kept.ledger;
+  if (kept.bytes == 0) removeOldResults(files_, !info_.sweep.fan.empty());
   // before any row: rows without a description cannot be gone on with
-  if (kept == 0) writeText(path("runs", ".info"), toText(info_));
-  if (!info_.fan.empty())
-    tables.fan.emplace(open("fan", fanHeader(runner.fanInstants()),
-                            std::min(kept, shard_.runsOf(info_.fanRuns()))));
+  writeInfo();
+  Tables tables{open(std::move(runs), first.runs, kept.bytes), std::nullopt};
+  if (!info_.sweep.fan.empty())
+    tables.fan.emplace(open(LockedFile(files_.path("fan", ".csv")), first.fan, kept.fan_bytes));
   return tables;
 }
 
-void SweepJob::run() {
-  makeDirectory(options_.directory());
-  const std::int64_t all = shard_.runsOf(info_.runs);
-  const std::int64_t kept = options_.resume ? rowsToKeep() : 0;
-  Tables tables = openTables(kept);
-  addRunners(all - kept);
+void SweepJob::writeInfo() {
+  writeText(files_.path("runs", ".info"), toText(info_));
+  info_written_ = std::chrono::steady_clock::now();
+  info_is_due_ = false;
+}
 
+/// Not with each of many short writes: where files are far away it takes as long as many runs.
+void SweepJob::writeInfoSometimes(const Tables& tables) {
+  constexpr auto kPause = std::chrono::milliseconds(100);
+  if (!info_is_due_ || std::chrono::steady_clock::now() - info_written_ < kPause) return;
+  tables.requireInPlace();
+  writeInfo();
+}
+
+void SweepJob::run() {
+  try {
+    makeTables();
+  } catch (const WriteError& error) {
+    throw std::runtime_error(std::string(error.what()) +
+                             "; rows that are written are kept: once it can be written, the same "
+                             "command with --resume goes on");
+  }
+}
+
+void SweepJob::makeTables() {
+  makeDirectory(options_.directory());
+  refuseOtherDivisions(options_.directory(), shard_);
+  LockedFile runs(files_.path("runs", ".csv"));
+  const KeptRows kept = rowsToKeep();
   const StopSignals signals;
+  Tables tables = openTables(std::move(runs), kept);
+  const std::int64_t all = shard_.runsOf(info_.sweep.runs), first = kept.ledger.rows;
+  const bool needs_fan = tables.fan && kept.fan_bytes == 0 && kept.fan_rows > 0;
+  addRunners(std::max(all - first, needs_fan ? kept.fan_rows : 0));
+  if (needs_fan) makeFanAgain(*tables.fan, kept.fan_rows, signals);
+  std::int64_t written = 0;
+  if (kept.lost_until > first) {
+    written = makeRuns(tables, first, kept.lost_until, signals);
+    if (first + written == kept.lost_until && info_.ledger.digest != kept.lost_digest)
+      notify(files_.path("runs", ".csv") +
+             ": with the runs that were lost its rows are not those that were written: somebody "
+             "has changed it, or this machine computes other digits; to be sure, remove it and "
+             "make its runs anew");
+  }
+  if (!signals.requested()) written += makeRuns(tables, first + written, all, signals);
+  if (first + written == all) return;
+  std::fprintf(stderr,
+               "sweep: stopped after %lld of %lld runs; the same command with --resume goes on\n",
+               static_cast<long long>(first + written), static_cast<long long>(all));
+  signals.endIfRequested();
+}
+
+/// Of runs whose rows are there.
+void SweepJob::makeFanAgain(RunTable& fan, std::int64_t rows, const StopSignals& signals) {
+  SweepPool pool(
+      runners_, shard_,
+      [&](const MadeRuns& made) {
+        fan.append(made.fan);
+        info_.ledger.fan_digest += made.ledger.fan_digest;
+      },
+      signals.requested());
+  pool.run(0, rows, [](std::int64_t) {});
+  writeInfo();
+}
+
+/// Returns how many are written.
+std::int64_t SweepJob::makeRuns(Tables& tables, std::int64_t first, std::int64_t all,
+                                const StopSignals& signals) {
   ProgressBar bar;
   SweepPool pool(
       runners_, shard_,
-      [&](const std::string& rows, const std::string& fan_lines) {
-        tables.runs.append(rows);
-        if (tables.fan) tables.fan->append(fan_lines);
+      [&](const MadeRuns& made) {
+        tables.runs.append(made.rows);
+        if (tables.fan) tables.fan->append(made.fan);
+        info_.ledger.add(made.ledger);
+        info_is_due_ = true;
       },
       signals.requested());
-  const SweepOutcome outcome = pool.run(kept, all, [&](std::int64_t written) {
+  bool has_said = false;
+  const auto goOn = [&](std::int64_t written) {
+    if (signals.requested() && !std::exchange(has_said, true))
+      std::fprintf(stderr, "%s\n",
+                   "sweep: stopping when the runs under way have ended; once more, and it ends at "
+                   "once without them");
+    writeInfoSometimes(tables);
     bar.show(static_cast<double>(written) /
-             static_cast<double>(std::max<std::int64_t>(1, all - kept)));
-  });
-  report(outcome, kept);
-  if (kept + outcome.written < all) signals.endIfRequested();
+             static_cast<double>(std::max<std::int64_t>(1, all - first)));
+  };
+  try {
+    const std::int64_t written = pool.run(first, all, goOn);
+    tables.requireInPlace();
+    writeInfo();
+    return written;
+  } catch (...) {
+    keepInfo();
+    throw;
+  }
 }
 
-/// What the user must know of runs without results, of those that are not sure ones, and of those
-/// that were not begun.
-void SweepJob::report(const SweepOutcome& outcome, std::int64_t kept) const {
-  const auto notify = [](std::int64_t runs, const std::string& what, const std::string& first) {
-    if (runs > 0)
-      std::fprintf(
-          stderr, "%s\n",
-          noticeLine("sweep", std::to_string(runs) + what + "; the first is " + first).c_str());
-  };
-  notify(outcome.refused, " runs have no result", outcome.first_refusal);
-  notify(outcome.doubtful, " runs may be wrong by more than they should", outcome.first_doubt);
-  const std::int64_t all = shard_.runsOf(info_.runs);
-  if (kept + outcome.written == all) return;
-  std::fprintf(stderr,
-               "sweep: stopped after %lld of %lld runs; the same command with --resume goes on\n",
-               static_cast<long long>(kept + outcome.written), static_cast<long long>(all));
-}
+/// Where something has failed already, of which the user is told: on a full disk it takes the room
+/// of the one before.
+void SweepJob::keepInfo() const { overwriteText(files_.path("runs", ".info"), toText(info_)); }
 
 }  // namespace rigid_body_sim

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <vector>
 
+#include "tools/sweep/kept_rows.hpp"
+#include "tools/sweep/run_table.hpp"
+#include "tools/sweep/stop_signals.hpp"
 #include "tools/sweep/sweep_info.hpp"
 #include "tools/sweep/sweep_options.hpp"
 #include "tools/sweep/sweep_pool.hpp"
@@ -25,24 +29,38 @@ class SweepJob {
   /// meanwhile, the table is left whole and the process ends by that signal.
   void run();
 
-  const SweepInfo& info() const { return info_; }
+  /// Of the table as it is.
+  const TableInfo& info() const { return info_; }
   const std::vector<std::string>& notices() const { return runners_.front()->notices(); }
+
+  /// Writes a line for the user; none for an empty notice.
+  static void notify(const std::string& notice);
 
  private:
   struct Tables;
 
-  std::string path(const std::string& stem, const std::string& extension) const;
+  void checkPaths();
+  void makeTables();
   std::uint64_t digestOfAll() const;
-  std::int64_t rowsToKeep() const;
-  Tables openTables(std::int64_t kept) const;
+  TableHeaders headers() const;
+  KeptRows rowsToKeep() const;
+  Tables openTables(LockedFile runs, const KeptRows& kept);
   void addRunners(std::int64_t runs);
-  void report(const SweepOutcome& outcome, std::int64_t kept) const;
+  void makeFanAgain(RunTable& fan, std::int64_t rows, const StopSignals& signals);
+  std::int64_t makeRuns(Tables& tables, std::int64_t first, std::int64_t all,
+                        const StopSignals& signals);
+  void writeInfo();
+  void writeInfoSometimes(const Tables& tables);
+  void keepInfo() const;
 
   const SweepOptions& options_;
   Shard shard_;
+  ShardFiles files_;
   SweepInputs inputs_;
   std::vector<std::unique_ptr<SweepRunner>> runners_;
-  SweepInfo info_;
+  TableInfo info_;
+  bool info_is_due_ = false;
+  std::chrono::steady_clock::time_point info_written_;
 };
 
 }  // namespace rigid_body_sim

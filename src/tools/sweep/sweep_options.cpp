@@ -61,7 +61,10 @@ SweepOptions parseSweepOptions(int argc, char** argv, const Environment& environ
   if (options.help) return options;
   options.scene = files->front();
   options.study = files->back();
-  options.launched = shard ? LaunchedShard{*shard, ""} : launchedShard(environment);
+  if (shard)
+    options.launched = {*shard, ""};
+  else if (!options.run)
+    options.launched = launchedShard(environment);
   return options;
 }
 
@@ -76,10 +79,12 @@ doc/sweep.md explains the keys of a study and has a job file for each launcher.
   --runs N      in place of the study's, without its grids
   --seed S      in place of the study's
   --threads T   default: the cores that this process may use
-  --shard I/N   every N-th run from the I-th on; default: what Slurm's job arrays, mpirun, or GNU
-                parallel (with RIGID_BODY_SIM_SHARDS) have set, else all runs
+  --shard I/N   every N-th run from the I-th on; default: what Slurm's job arrays, srun, mpirun, or
+                GNU parallel (with RIGID_BODY_SIM_SHARDS=N) have set, else all runs. The same
+                variable repeats tasks of an array: each then is the shard of its number
   --out DIR     where the results go, made if absent; default: here, or of merge the first DIR
-  --resume      goes on after the last row of an interrupted sweep
+  --resume      goes on after the last row of an interrupted sweep; without it such a table is
+                refused, and a finished one replaced
   --run K       writes the scene of run K as run_K.yaml, and runs nothing
   --help        this text
 

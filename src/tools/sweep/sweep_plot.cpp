@@ -12,6 +12,11 @@
 namespace rigid_body_sim {
 namespace {
 
+/// Whether the values are not so great that their range is none.
+bool hasRange(const ColumnSummary& column) {
+  return std::isfinite(2 * (column.greatest - column.least));
+}
+
 /// Records first, else the place of the first body; those that vary.
 std::vector<std::size_t> shownResults(const SweepSummary& summary) {
   constexpr std::size_t kMax = 3;
@@ -19,7 +24,8 @@ std::vector<std::size_t> shownResults(const SweepSummary& summary) {
   const std::size_t end = summary.results.size() - 2;
   const std::size_t first = summary.records > 0 ? end - summary.records : 0;
   for (std::size_t k = first; k < end && shown.size() < kMax; ++k)
-    if (summary.results[k].count > 1 && summary.results[k].least < summary.results[k].greatest)
+    if (summary.results[k].count > 1 && summary.results[k].least < summary.results[k].greatest &&
+        hasRange(summary.results[k]))
       shown.push_back(k);
   return shown;
 }
@@ -146,7 +152,7 @@ void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::st
   std::ostringstream fan;
   ColumnSummary all_of_fan;
   if (!info.fan.empty()) all_of_fan = writeFan(fan_csv, fan);
-  const bool has_fan = all_of_fan.count > 0;
+  const bool has_fan = all_of_fan.count > 0 && hasRange(all_of_fan);
   if (has_fan) script << "$fan << EOD\n" << fan.str() << "EOD\n";
   script << "set terminal svg size 1000,900 noenhanced font 'sans,13' background 'white'\n"
          << "set output " << gnuplotText(svg) << "\nset multiplot title "

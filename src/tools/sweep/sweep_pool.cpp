@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <thread>
 #include <utility>
 
 namespace rigid_body_sim {
+namespace {
 
-SweepOutcome SweepPool::run(std::int64_t first, std::int64_t end,
+std::string_view withoutEnd(const std::string& line) {
+  return std::string_view(line).substr(0, line.size() - 1);
+}
+
+}  // namespace
+
+std::int64_t SweepPool::run(std::int64_t first, std::int64_t end,
                             const std::function<void(std::int64_t written)>& progress) {
   next_ = next_written_ = first;
   end_ = end;
@@ -18,12 +26,17 @@ SweepOutcome SweepPool::run(std::int64_t first, std::int64_t end,
     std::unique_lock<std::mutex> lock(mutex_);
     while (working_ > 0) {
       changed_.wait_for(lock, std::chrono::milliseconds(100));
-      progress(outcome_.written);
+      if (failure_) continue;
+      try {
+        progress(written_);
+      } catch (...) {
+        failure_ = std::current_exception();
+      }
     }
   }
   for (std::thread& thread : threads) thread.join();
   if (failure_) std::rethrow_exception(failure_);
-  return outcome_;
+  return written_;
 }
 
 void SweepPool::work(SweepRunner& runner) {
@@ -67,37 +80,36 @@ void SweepPool::make(SweepRunner& runner, Block& block) const {
       return;
     }
     const RunRows rows = runner.run(shard_.run(j));
-    block.rows += rows.row;
-    block.fan += rows.fan;
-    if (!rows.doubt.empty() && block.doubtful++ == 0) block.first_doubt = rows.doubt;
-    if (rows.refusal.empty()) continue;
-    if (block.refused++ == 0) block.first_refusal = rows.refusal;
+    MadeRuns& made = block.made;
+    made.rows += rows.row;
+    made.fan += rows.fan;
+    ++made.ledger.rows;
+    made.ledger.digest += digestOfRow(withoutEnd(rows.row));
+    if (!rows.fan.empty()) made.ledger.fan_digest += digestOfRow(withoutEnd(rows.fan));
+    if (!rows.doubt.empty()) made.ledger.addDoubt(shard_.run(j), rows.doubt);
+    if (!rows.refusal.empty()) made.ledger.refused.add(shard_.run(j), rows.refusal);
   }
 }
 
-void SweepPool::handOn(Block made) {
+void SweepPool::handOn(Block block) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  waiting_bytes_ += made.rows.size() + made.fan.size();
-  const std::int64_t first = made.first;
-  finished_.emplace(first, std::move(made));
+  waiting_bytes_ += block.made.rows.size() + block.made.fan.size();
+  const std::int64_t first = block.first;
+  finished_.emplace(first, std::move(block));
   for (auto next = finished_.begin();
        next != finished_.end() && next->first == next_written_ && !failure_;
        next = finished_.erase(next)) {
-    const Block& block = next->second;
+    const auto& [begin, end, made] = next->second;
     try {
-      write_(block.rows, block.fan);
+      write_(made);
     } catch (...) {
       // before another thread has the lock: it would write the same rows again
       failure_ = std::current_exception();
       break;
     }
-    next_written_ = block.end;
-    outcome_.written += block.end - block.first;
-    if (outcome_.refused == 0) outcome_.first_refusal = block.first_refusal;
-    outcome_.refused += block.refused;
-    if (outcome_.doubtful == 0) outcome_.first_doubt = block.first_doubt;
-    outcome_.doubtful += block.doubtful;
-    waiting_bytes_ -= block.rows.size() + block.fan.size();
+    next_written_ = end;
+    written_ += end - begin;
+    waiting_bytes_ -= made.rows.size() + made.fan.size();
   }
   changed_.notify_all();
 }

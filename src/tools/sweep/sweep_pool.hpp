@@ -12,44 +12,40 @@
 #include <vector>
 
 #include "tools/sweep/shard.hpp"
+#include "tools/sweep/sweep_ledger.hpp"
 #include "tools/sweep/sweep_runner.hpp"
 
 namespace rigid_body_sim {
 
-/// What became of the runs of a sweep.
-struct SweepOutcome {
-  std::int64_t written = 0;  ///< rows, of those that were asked for
-  std::int64_t refused = 0;  ///< of them no results
-  std::string first_refusal;
-  std::int64_t doubtful = 0;  ///< of them whose error is beyond the tolerance, or unknown
-  std::string first_doubt;
+/// Runs that one thread has made, one after the other.
+struct MadeRuns {
+  std::string rows, fan;  ///< of runs.csv and of fan.csv
+  SweepLedger ledger{};   ///< of these rows
 };
 
 /// Makes runs on several threads, and hands their rows on in the order of the runs.
 class SweepPool {
  public:
-  /// Takes rows of runs.csv and of fan.csv, in the order of the runs, one call at a time.
-  using Write = std::function<void(const std::string& rows, const std::string& fan)>;
+  /// Takes runs in their order, one call at a time.
+  using Write = std::function<void(const MadeRuns& made)>;
 
-  /// One thread for each runner. stop: once true, no further run is begun. done: is told from time
-  /// to time how many runs are written.
+  /// One thread for each runner. stop: once true, no further run is begun. progress:
+  /// is told from time to time how many runs are written, while nothing is.
   SweepPool(std::vector<std::unique_ptr<SweepRunner>>& runners, Shard shard, Write write,
             const std::atomic<bool>& stop)
       : runners_(runners), shard_(shard), write_(std::move(write)), stop_(stop) {}
 
-  /// The runs first … end − 1 of the shard. Throws what a run or a write throws.
-  SweepOutcome run(std::int64_t first, std::int64_t end,
+  /// The runs first … end − 1 of the shard; returns how many are written. progress: is told so
+  /// from time to time, while nothing is written. Throws what a run, a write or
+  /// progress throws.
+  std::int64_t run(std::int64_t first, std::int64_t end,
                    const std::function<void(std::int64_t written)>& progress);
 
  private:
   /// Runs that one thread makes before it hands them on.
   struct Block {
     std::int64_t first = 0, end = 0;
-    std::string rows, fan;
-    std::int64_t refused = 0;
-    std::string first_refusal;
-    std::int64_t doubtful = 0;
-    std::string first_doubt;
+    MadeRuns made;
   };
 
   void work(SweepRunner& runner);
@@ -69,7 +65,7 @@ class SweepPool {
   std::map<std::int64_t, Block> finished_;  // that wait for those before them
   std::size_t waiting_bytes_ = 0;
   std::size_t working_ = 0;  // threads
-  SweepOutcome outcome_;
+  std::int64_t written_ = 0;
   std::exception_ptr failure_;
 };
 

@@ -36,7 +36,7 @@ void appendField(double x, std::string& row) {
 }
 
 /// The end of a row that is a result.
-void appendError(const ErrorReport& error, std::int64_t number, RunRows& rows) {
+void appendError(const ErrorReport& error, RunRows& rows) {
   if (error.estimate) {
     appendField(error.estimate->attitude, rows.row);
     appendField(error.estimate->position, rows.row);
@@ -44,7 +44,7 @@ void appendError(const ErrorReport& error, std::int64_t number, RunRows& rows) {
     rows.row += ",,";
   }
   rows.row += ",done\n";
-  if (!error.doubt.empty()) rows.doubt = "run " + std::to_string(number) + ": " + error.doubt;
+  rows.doubt = error.doubt;
 }
 
 }  // namespace
@@ -116,6 +116,9 @@ void SweepRunner::findColumns(const World& world) {
     if (std::holds_alternative<NormalDistribution>(varied.distribution) ||
         std::holds_alternative<UniformDistribution>(varied.distribution))
       shape = SceneValue::of(0);
+    const bool is_named = std::holds_alternative<ListDistribution>(varied.distribution) ||
+                          std::holds_alternative<GridDistribution>(varied.distribution);
+    is_number_.insert(is_number_.end(), shape.words.size(), !is_named);
     for (std::size_t k = 0; k < shape.words.size(); ++k)
       columns_.push_back(varied.path + (shape.is_list ? "[" + std::to_string(k) + "]" : ""));
   }
@@ -169,7 +172,7 @@ RunRows SweepRunner::run(std::int64_t number) {
     rows.row.append(columns_.size() - varied_columns_ - 1, ',');
     rows.row += field(status) + "\n";
     if (with_fan) rows.fan = std::to_string(number) + std::string(kFanInstants + 1, ',') + "\n";
-    rows.refusal = "run " + std::to_string(number) + ": " + status;
+    rows.refusal = status;
   };
   try {
     Built built = build();
@@ -219,7 +222,7 @@ void SweepRunner::simulate(Built built, bool with_fan, std::int64_t number, RunR
     appendRecords(recorder->values(Simulation(again->world, again->initial), end.t), rows.row);
   else if (recorder)
     appendRecords(recorder->values(run, 0), rows.row);
-  appendError(solved ? ErrorReport{ErrorEstimate(), ""} : errorReport(run, duration), number, rows);
+  appendError(solved ? ErrorReport{ErrorEstimate(), ""} : errorReport(run, duration), rows);
   if (with_fan) rows.fan = std::to_string(number) + fan + "\n";
 }
 
@@ -234,7 +237,7 @@ void SweepRunner::solve(const Built& built, bool with_fan, std::int64_t number,
   for (const auto& [def, quantity] : records_)
     appendField(quantity.of(built.world.bodies[quantity.body], end.bodies[quantity.body]),
                 rows.row);
-  appendError({ErrorEstimate(), ""}, number, rows);
+  appendError({ErrorEstimate(), ""}, rows);
 }
 
 /// Of motions that are solved: a state within a long step is found from its start on, each anew, so

@@ -12,14 +12,15 @@
 #include "scene/study/varied_scene.hpp"
 #include "tools/sweep/run_recorder.hpp"
 #include "tools/sweep/sweep_info.hpp"
+#include "tools/sweep/table_fields.hpp"
 
 namespace rigid_body_sim {
 
 /// What all runs of a sweep have in common.
 struct SweepInputs {
   Study study;
-  std::string scene_text;
-  ReadContext context;  ///< of the scene
+  std::string scene_text, study_text;  ///< as they were read
+  ReadContext context;                 ///< of the scene
 };
 
 /// How a run ended: its rows, each with its end of line.
@@ -51,7 +52,9 @@ class SweepRunner {
   std::string sceneOf(std::int64_t number);
 
   const std::vector<std::string>& columns() const { return columns_; }
-  std::size_t variedColumns() const { return varied_columns_; }
+  RowForm rowForm() const {
+    return {columns_.size(), varied_columns_, records_.size(), is_number_};
+  }
   const std::vector<RunRecorder::Record>& records() const { return records_; }
 
   /// Instants of the fan [s], and its quantity; none where runs differ in their duration.
@@ -106,6 +109,7 @@ class SweepRunner {
   std::optional<Quantity> fan_;
   std::vector<std::string> columns_;
   std::size_t varied_columns_ = 0;
+  std::vector<bool> is_number_;  ///< varied columns that never hold a word
   double nominal_duration_ = 0;  // [s]
   std::vector<std::string> notices_;
 };

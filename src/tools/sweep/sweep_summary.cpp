@@ -2,35 +2,15 @@
 
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <stdexcept>
 #include <string_view>
 
 #include "programs/formatted.hpp"
 #include "scene/files/number_text.hpp"
-#include "scene/message_text.hpp"
+#include "tools/sweep/table_fields.hpp"
 
 namespace rigid_body_sim {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-/// The fields of a line, in place.
-void split(const std::string& line, std::vector<std::pair<const char*, const char*>>& fields) {
-  fields.clear();
-  const char* begin = line.data();
-  for (const char* c = begin;; ++c) {
-    if (c != line.data() + line.size() && *c != ',') continue;
-    fields.emplace_back(begin, c);
-    if (c == line.data() + line.size()) return;
-    begin = c + 1;
-  }
-}
-
-double numberIn(const std::pair<const char*, const char*>& field) {
-  double x = 0;
-  return readNumberText(field.first, field.second, x) && std::isfinite(x) ? x : kNone;
-}
 
 void keep(ColumnSummary& column, double x) {
   if (!std::isnan(x)) column.add(x);
@@ -49,30 +29,18 @@ SweepSummary columnsOf(const SweepInfo& info, const std::vector<std::string>& na
   return summary;
 }
 
-/// Whether a run has a result. Throws std::runtime_error for a status that no sweep writes.
-bool isDone(std::string_view status, const std::string& place) {
-  if (status == "done") return true;
-  if (status.rfind("refused: ", 0) == 0 || status.rfind("diverged: ", 0) == 0) return false;
-  throw std::runtime_error(place + ": status must be done, refused: or diverged: with why, got '" +
-                           printable(std::string(status)) +
-                           "'; somebody has changed the table: make its runs anew");
-}
-
-void addRow(const std::vector<std::pair<const char*, const char*>>& fields, const std::string& path,
+void addRow(const std::vector<std::string_view>& fields, const std::string& path,
             SweepSummary& summary, std::vector<double>& inputs) {
   ++summary.rows;
-  const auto& [begin, end] = fields.back();
-  if (!isDone({begin, static_cast<std::size_t>(end - begin)},
-              path + ":" + std::to_string(summary.rows + 1)))
-    return;
+  if (!isDone(fields.back(), path + ":" + std::to_string(summary.rows + 1))) return;
   ++summary.done;
   inputs.clear();
   for (std::size_t i = 0; i < summary.varied.size(); ++i) {
-    inputs.push_back(numberIn(fields[i + 1]));
+    inputs.push_back(numberInField(fields[i + 1]));
     keep(summary.varied[i], inputs.back());
   }
   for (std::size_t k = 0; k < summary.results.size(); ++k) {
-    const double y = numberIn(fields[summary.varied.size() + 1 + k]);
+    const double y = numberInField(fields[summary.varied.size() + 1 + k]);
     keep(summary.results[k], y);
     for (std::size_t i = 0; i < inputs.size() && !std::isnan(y); ++i)
       if (!std::isnan(inputs[i])) summary.pairs[k][i].add(inputs[i], y);
@@ -89,7 +57,8 @@ std::string rowOf(const ColumnSummary& column, const std::vector<PairSummary>* p
   if (column.count == 0) return row + std::string(11 + varied, ',') + "\n";
   const auto add = [&](double x) {
     row += ',';
-    appendNumber(x, row);
+    // of values near the greatest number there is a sum may be none
+    if (std::isfinite(x)) appendNumber(x, row);
   };
   add(column.mean);
   add(column.stddev());
@@ -108,9 +77,13 @@ std::string rowOf(const ColumnSummary& column, const std::vector<PairSummary>* p
 
 std::string tableRow(const SweepSummary& summary, const ColumnSummary& column,
                      std::optional<std::size_t> result) {
-  std::string row = formatted("  %-34s %11.5g %10.3g %11.5g %11.5g %11.5g", column.name.c_str(),
-                              column.mean, column.stddev(), column.percentile(0.05),
-                              column.percentile(0.5), column.percentile(0.95));
+  std::string row = formatted("  %-34s", column.name.c_str());
+  const auto add = [&](double x, int width, int digits) {
+    row += std::isfinite(x) ? formatted(" %*.*g", width, digits, x) : formatted(" %*s", width, "-");
+  };
+  add(column.mean, 11, 5);
+  add(column.stddev(), 10, 3);
+  for (const double share : {0.05, 0.5, 0.95}) add(column.percentile(share), 11, 5);
   const auto most = result ? summary.mostCorrelated(*result) : std::nullopt;
   if (most)
     row += formatted("  %+.2f with %s", *summary.pairs[*result][*most].correlation(),
@@ -123,17 +96,17 @@ std::string tableRow(const SweepSummary& summary, const ColumnSummary& column,
 SweepSummary summarise(const std::string& path, const SweepInfo& info) {
   std::ifstream in(path, std::ios::binary);
   std::string line;
-  std::vector<std::pair<const char*, const char*>> fields;
+  std::vector<std::string_view> fields;
   if (!std::getline(in, line)) throw std::runtime_error(path + ": cannot be read");
-  split(line, fields);
+  splitFields(line, fields);
   std::vector<std::string> names;
-  for (const auto& [begin, end] : fields) names.emplace_back(begin, end);
+  for (const std::string_view name : fields) names.emplace_back(name);
   if (names.size() < info.varied + info.records + 4)
     throw std::runtime_error(path + ": is no table of a sweep");
   SweepSummary summary = columnsOf(info, names);
   std::vector<double> inputs;
   while (std::getline(in, line)) {
-    split(line, fields);
+    splitFields(line, fields);
     if (fields.size() != names.size())
       throw std::runtime_error(path + ":" + std::to_string(summary.rows + 2) + ": must have " +
                                std::to_string(names.size()) + " fields, got " +

@@ -86,8 +86,9 @@ TEST(Study, NamesWhatIsAtFault) {
        "study.yaml:2: unknown key 'vary.bodies.box.mass.gaussian' (known: normal, uniform, list, "
        "grid, rotation)"},
       {mass + "{list: [1], grid: [2]}}",
-       "study.yaml:2: vary.bodies.box.mass must name one of normal, uniform, list, grid and "
-       "rotation, got a mapping"},
+       "study.yaml:2: vary.bodies.box.mass must name exactly one distribution, got list and grid"},
+      {"gravity: [0, 0, 0]\nbodies: []",
+       "study.yaml:1: is a scene, not a study: the scene comes first, the study second"},
       {mass + "{list: [1, [2, 3]]}}",
        "study.yaml:2: vary.bodies.box.mass.list[1] must have as many numbers as the values before "
        "it, got [2, 3]"},

@@ -187,12 +187,15 @@ TEST(VariedScene, RefusesAValueAsTheFileWould) {
 }
 
 TEST(VariedScene, NamesTheNearestPath) {
+  const std::string left_out = "; a key that the scene leaves out must be written into it first";
   EXPECT_EQ(pathFault({"bodies.box.masss"}),
             "study.yaml:3: vary: 'bodies.box.masss' is not in scene.yaml; the nearest that is: "
-            "'bodies.box.mass'");
+            "'bodies.box.mass'" +
+                left_out);
   EXPECT_EQ(pathFault({"wrenches[1].start"}),
             "study.yaml:3: vary: 'wrenches[1].start' is not in scene.yaml; the nearest that is: "
-            "'wrenches[0].start'");
+            "'wrenches[0].start'" +
+                left_out);
   EXPECT_NE(pathFault({"bodies.box.twist.angular[3]"}).find("nearest"), std::string::npos);
   EXPECT_NE(pathFault({"bodies..mass"}).find("nearest"), std::string::npos);
 }
@@ -205,6 +208,9 @@ TEST(VariedScene, RefusesPathsThatCannotVary) {
             "name one within it");
   EXPECT_EQ(pathFault({"gravity", "gravity[2]"}),
             "study.yaml:4: vary: 'gravity[2]' is part of 'gravity', which varies, too");
+  EXPECT_EQ(pathFault({"bodies.box.mass", "bodies[0].mass"}),
+            "study.yaml:3: vary: 'bodies.box.mass' is the same value as 'bodies[0].mass', which "
+            "varies, too");
 }
 
 TEST(DifferInMotion, SeesWhatReachesTheWorldAndNothingElse) {

@@ -50,7 +50,8 @@ TEST(SweepErrors, SayWhereContactLosesTheTolerance) {
   EXPECT_EQ(table.at("status")[0], "done");
   EXPECT_GT(attitude[0], 1e-9);
   EXPECT_GT(position[0], 0);
-  EXPECT_NE(run.out.find("1 runs may be wrong by more than they should; the first is run 0: from "),
+  EXPECT_NE(run.out.find("1 run may have an error beyond the tolerance (runs.info says which); the "
+                         "first is run 0: from "),
             std::string::npos)
       << run.out;
   // what `simulate` says of it
@@ -79,7 +80,8 @@ forces: [{type: contact, between: [ball, ground], stiffness: 1e4}]
   EXPECT_EQ(table.at("attitude_error"), (std::vector<std::string>{"", ""}));
   EXPECT_EQ(table.at("position_error"), (std::vector<std::string>{"", ""}));
   EXPECT_EQ(table.at("status"), (std::vector<std::string>{"done", "done"}));
-  EXPECT_NE(run.out.find("2 runs may be wrong by more than they should; the first is run 0: "),
+  EXPECT_NE(run.out.find("2 runs may have errors beyond the tolerance (runs.info says which); the "
+                         "first is run 0: "),
             std::string::npos)
       << run.out;
 }
@@ -113,7 +115,7 @@ forces:
   for (const double error : test::numbersOf(test::tableAt(out + "/runs.csv").at("attitude_error")))
     EXPECT_GT(error, 0);
   // auto has tried its steps beforehand, which the estimate does not belie
-  EXPECT_EQ(run.out.find("may be wrong"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("beyond the tolerance"), std::string::npos) << run.out;
 }
 
 TEST(SweepErrors, AreNothingToSpeakOfWhereMotionIsSolved) {
@@ -124,7 +126,7 @@ TEST(SweepErrors, AreNothingToSpeakOfWhereMotionIsSolved) {
   const std::string out = files.path("out");
   const test::Outcome run = test::sweep(scene + " " + study + " --out " + out, "PATH=/nonexistent");
   ASSERT_EQ(run.exit_code, 0) << run.out;
-  EXPECT_EQ(run.out.find("may be wrong"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("beyond the tolerance"), std::string::npos) << run.out;
   EXPECT_EQ(test::tableAt(out + "/runs.csv").at("attitude_error"),
             (std::vector<std::string>{"0", "0"}));
 }

@@ -34,7 +34,15 @@ TEST(SweepProgram, SaysInOneLineWhatIsAtFault) {
                 ":5: body 'ball': mass must be > 0 kg, got -5");
   EXPECT_EQ(fault("runs: 2\nvary: {bodies.bell.mass: {list: [1, 2]}}"),
             bad + ":2: vary: 'bodies.bell.mass' is not in " + scene +
-                "; the nearest that is: 'bodies.ball.mass'");
+                "; the nearest that is: 'bodies.ball.mass'; a key that the scene leaves out must "
+                "be written into it first");
+  EXPECT_EQ(fault("runs: 2\nvary: {bodies.ball.mass: {list: ['']}}"),
+            bad + ":2: vary: 'bodies.ball.mass' cannot be \"\": " + scene +
+                ":5: body 'ball': mass must be a number [kg], got \"\"");
+  EXPECT_EQ(fault("runs: 2\nvary: {integrator: {list: [auto, rk4]}, tolerance: {list: [1e-3]}}"),
+            bad + ":2: vary: 'integrator' cannot be rk4: " + scene +
+                ":1: tolerance goes with integrator auto only, got integrator rk4; the study "
+                "varies 'tolerance', too, and so states it");
   EXPECT_EQ(fault("runs: 2\nvary: {bodies.ball.mass: {list: [1, 2]}}\nrecord: {a: {max: bell.pz}}"),
             bad + ":3: record.a: unknown body 'bell' (known: ball); did you mean 'ball'?");
   EXPECT_EQ(fault("runs: 2\nvary: {integrator: {grid: [auto, rk5]}}")
@@ -46,7 +54,7 @@ TEST(SweepProgram, SaysInOneLineWhatIsAtFault) {
       sweep(scene + " " + files.written("good.yaml", good) + " --out " + files.path("file"));
   EXPECT_EQ(no_directory.exit_code, 1);
   EXPECT_EQ(no_directory.out,
-            "sweep: " + files.path("file") + ": cannot be created: Not a directory\n");
+            "sweep: " + files.path("file") + ": is a file, and must be a directory\n");
   // a value that is reached after many others
   std::string values;
   for (int i = 1; i <= 1500; ++i) values += std::to_string(i) + ", ";
@@ -75,7 +83,7 @@ bodies:
                  "during a sweep; remove 'absent: true' there, or record another body\n");
   EXPECT_EQ(swept("runs: 2\nvary: {bodies.guest.mass: {list: [1, 2]}}").out,
             at + ":2: vary: 'bodies.guest.mass' varies nothing: the bodies move alike whether it "
-                 "is 1 or not\n");
+                 "is 1 or not; remove it, or change in the scene what keeps it from acting\n");
   EXPECT_EQ(swept(vary).exit_code, 0);
   std::ifstream rows(files.path("out/runs.csv"));
   std::string header;
@@ -233,6 +241,7 @@ TEST(SweepProgram, SaysWhereThePlotCannotBeWritten) {
   EXPECT_EQ(full.exit_code, 1) << full.out;
   EXPECT_EQ(lastLine(full.out),
             "sweep: " + svg + ": ends before the end of the picture; is there room on the disk?\n");
+  EXPECT_FALSE(std::ifstream(svg).good());
   EXPECT_EQ(sweep(command).exit_code, 0);
 }
 

@@ -55,7 +55,7 @@ TEST(SweepPool, WritesNothingAfterAWriteThatFailed) {
   const std::atomic<bool> stop{false};
   for (int attempt = 0; attempt < 20; ++attempt) {
     int writes = 0;
-    const auto write = [&](const std::string&, const std::string&) {
+    const auto write = [&](const MadeRuns&) {
       ++writes;
       // as slow as a full disk: the other threads come to wait for their turn
       const auto begin = std::chrono::steady_clock::now();
@@ -67,6 +67,23 @@ TEST(SweepPool, WritesNothingAfterAWriteThatFailed) {
     EXPECT_THROW(pool.run(0, 5000, [](std::int64_t) {}), std::runtime_error);
     ASSERT_EQ(writes, 1) << attempt;
   }
+}
+
+// While other threads are at work, which must be waited for.
+TEST(SweepPool, ThrowsWhatItsProgressThrows) {
+  SweepInputs inputs;
+  inputs.study =
+      parseStudy("runs: 5000000\nvary: {bodies.ball.mass: {uniform: [1, 2]}}", "study.yaml");
+  inputs.scene_text = test::kPushedBall;
+  inputs.context.source = "scene.yaml";
+  std::vector<std::unique_ptr<SweepRunner>> runners;
+  for (int i = 0; i < 3; ++i) runners.push_back(std::make_unique<SweepRunner>(inputs));
+  const std::atomic<bool> stop{false};
+  SweepPool pool(
+      runners, Shard{}, [](const MadeRuns&) {}, stop);
+  EXPECT_THROW(
+      pool.run(0, 5000000, [](std::int64_t) { throw std::runtime_error("the disk is full"); }),
+      std::runtime_error);
 }
 
 // A step of 0.01 s against one of the whole 20 s, both by series to the same tolerance.

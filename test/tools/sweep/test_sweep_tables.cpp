@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tools/sweep/sweep_bench.hpp"
+#include "tools/sweep/sweep_info.hpp"
 
 /// Tables that somebody has changed.
 namespace rigid_body_sim {
@@ -49,9 +50,11 @@ TEST(SweepProgram, GoesOnWithNoTableThatSomebodyHasChanged) {
       test::sweep("merge " + out).out.find("sweep: " + out + "/runs.csv:2: status must be done, "),
       0U);
   ASSERT_EQ(remove((out + "/runs.info").c_str()), 0);
-  EXPECT_EQ(test::sweep(command + " --resume").out,
-            "sweep: " + out + "/runs.csv: of which sweep it is would stand in " + out +
-                "/runs.info, which is not there; remove the table, or leave --resume out\n");
+  EXPECT_EQ(
+      test::sweep(command + " --resume").out,
+      "sweep: " + out + "/runs.csv: " + out +
+          "/runs.info, which says of which sweep the rows are, is not there, or is not whole; put "
+          "it back, or remove the table to begin anew\n");
 }
 
 TEST(SweepProgram, MergesMoreShardsThanAProcessMayHaveFilesOpen) {
@@ -65,17 +68,27 @@ TEST(SweepProgram, MergesMoreShardsThanAProcessMayHaveFilesOpen) {
   ASSERT_EQ(test::sweep(scene + " " + study + " --out " + out, "PATH=/nonexistent").exit_code, 0);
   // what the shards write are its rows
   ASSERT_EQ(test::runCommand("mkdir " + files.path("shards")).exit_code, 0);
+  const auto info = tableInfoIn(test::fileText(out + "/runs.info"));
+  ASSERT_TRUE(info);
+  std::vector<SweepLedger> ledgers(kShards);
   for (const char* stem : {"runs", "fan"}) {
     std::ifstream in(out + "/" + stem + ".csv");
     std::string line, header;
     std::getline(in, header);
     std::vector<std::string> tables(kShards, header + "\n");
-    for (std::size_t run = 0; std::getline(in, line); ++run) tables[run % kShards] += line + "\n";
+    const bool is_fan = std::string(stem) == "fan";
+    for (std::size_t run = 0; std::getline(in, line); ++run) {
+      SweepLedger& ledger = ledgers[run % kShards];
+      tables[run % kShards] += line + "\n";
+      ledger.rows += is_fan ? 0 : 1;
+      (is_fan ? ledger.fan_digest : ledger.digest) += digestOfRow(line);
+    }
     for (int i = 0; i < kShards; ++i) {
       const std::string name = std::to_string(i + 1) + "of" + std::to_string(kShards);
       files.written("shards/" + std::string(stem) + "." + name + ".csv",
                     tables[static_cast<std::size_t>(i)]);
-      files.written("shards/runs." + name + ".info", test::fileText(out + "/runs.info"));
+      files.written("shards/runs." + name + ".info",
+                    toText(TableInfo{info->sweep, ledgers[static_cast<std::size_t>(i)]}));
     }
   }
   const test::Outcome merged =

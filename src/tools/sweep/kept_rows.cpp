@@ -1,0 +1,137 @@
+#include "tools/sweep/kept_rows.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+
+#include "tools/sweep/other_tables.hpp"
+#include "tools/sweep/run_table.hpp"
+
+namespace rigid_body_sim {
+namespace {
+
+std::optional<TableInfo> infoBeside(const ShardFiles& files) {
+  return tableInfoIn(textOf(files.path("runs", ".info")).value_or(""));
+}
+
+void requireSameSweep(const ShardFiles& files, const SweepInfo& there, const SweepInfo& info) {
+  if (isSameSweep(there, info)) return;
+  const std::string table = files.path("runs", ".csv");
+  SweepInfo as_many = there;
+  as_many.runs = info.runs;
+  if (isSameSweep(as_many, info))
+    throw std::runtime_error(table + ": is of " + std::to_string(there.runs) +
+                             " runs, with the grids, and not of " + std::to_string(info.runs) +
+                             "; --runs was another");
+  throw std::runtime_error(
+      table +
+      ": is of another sweep: the scene, the study, the seed, or a file that the scene names is "
+      "another; name another --out, or remove it to begin anew");
+}
+
+/// What can be known of the first rows of a table that has lost its last ones, by their form.
+SweepLedger ledgerByForm(const ShardFiles& files, const SweepLedger& whole, std::int64_t rows,
+                         const RowForm& form) {
+  const std::string path = files.path("runs", ".csv");
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  std::getline(in, line);
+  SweepLedger ledger;
+  std::vector<std::string_view> fields;
+  for (; ledger.rows < rows && std::getline(in, line); ++ledger.rows) {
+    splitFields(line, fields);
+    ledger.digest += digestOfRow(line);
+    if (!requireForm(fields, form, path + ":" + std::to_string(ledger.rows + 2)))
+      ledger.refused.add(files.shard.run(ledger.rows), std::string(fields.back()));
+  }
+  const std::int64_t end = files.shard.run(rows);
+  for (const std::int64_t run : whole.doubtful_runs)
+    if (run < end) ledger.addDoubt(run, run == whole.doubtful.first ? whole.doubtful.why : "");
+  return ledger;
+}
+
+void keepFan(const ShardFiles& files, const SweepLedger& written, std::int64_t written_rows,
+             const std::string& header, KeptRows& kept) {
+  const std::string path = files.path("fan", ".csv");
+  requireTableOfASweep(path, "fan");
+  if (wholeRows(path) < kept.fan_rows) {
+    kept.notices.push_back(path + ": has lost rows, which are made again");
+    return;
+  }
+  const RowsRead fan = readRows(path, header, kept.fan_rows, files.shard);
+  // of fewer rows than were written nothing is known
+  if (kept.fan_rows == written_rows && fan.digest != written.fan_digest)
+    throw std::runtime_error(path +
+                             ": its rows are not those that were written; somebody has changed "
+                             "the table: remove it, and --resume makes it again");
+  if (kept.fan_rows != written_rows) return;
+  kept.ledger.fan_digest = fan.digest;
+  kept.fan_bytes = fan.bytes;
+}
+
+}  // namespace
+
+void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint64_t digest,
+                   const RowForm& form) {
+  if (digest == ledger.digest) return;
+  ledgerByForm(files, ledger, ledger.rows, form);
+  throw std::runtime_error(files.path("runs", ".csv") +
+                           ": its rows are not those that were written; somebody has changed the "
+                           "table: remove it, and make its runs anew");
+}
+
+KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHeaders& headers) {
+  const std::string table = files.path("runs", ".csv");
+  KeptRows kept;
+  const std::int64_t there = wholeRows(table);
+  if (there == 0) return kept;
+  const std::optional<TableInfo> beside = infoBeside(files);
+  if (!beside)
+    throw std::runtime_error(table + ": " + files.path("runs", ".info") +
+                             ", which says of which sweep the rows are, is not there, or is not "
+                             "whole; put it back, or remove the table to begin anew");
+  requireSameSweep(files, beside->sweep, info);
+  const SweepLedger& written = beside->ledger;
+  const std::int64_t rows = std::min(there, written.rows);
+  if (rows == 0) return kept;
+  const RowsRead read = readRows(table, headers.runs, rows, files.shard);
+  if (rows == written.rows) {
+    requireLedger(files, written, read.digest, headers.form);
+    kept.ledger = written;
+    kept.ledger.fan_digest = 0;
+  } else {
+    kept.ledger = ledgerByForm(files, written, rows, headers.form);
+    kept.lost_until = written.rows;
+    kept.lost_digest = written.digest;
+    kept.notices.push_back(table + ": has lost its last rows, of " + std::to_string(written.rows) +
+                           "; of the " + std::to_string(rows) +
+                           " that are left only the form could be checked");
+  }
+  kept.bytes = read.bytes;
+  const auto fan_rows = [&](std::int64_t n) {
+    return std::min(n, files.shard.runsOf(info.fanRuns()));
+  };
+  kept.fan_rows = fan_rows(rows);
+  if (!info.fan.empty() && kept.fan_rows > 0)
+    keepFan(files, written, fan_rows(written.rows), headers.fan, kept);
+  return kept;
+}
+
+std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info) {
+  const std::string table = files.path("runs", ".csv");
+  requireTableOfASweep(table, "runs");
+  if (!info.fan.empty()) requireTableOfASweep(files.path("fan", ".csv"), "fan");
+  const std::int64_t rows = wholeRows(table);
+  if (rows == 0) return "";
+  const std::optional<TableInfo> beside = infoBeside(files);
+  const std::int64_t all = beside ? files.shard.runsOf(beside->sweep.runs) : 0;
+  if (beside && rows >= all) return "";
+  const std::string holds = table + ": holds " + std::to_string(rows) + " " +
+                            (beside ? "of " + std::to_string(all) + " " : "") + "runs of ";
+  if (beside && isSameSweep(beside->sweep, info))
+    throw std::runtime_error(holds + "this sweep; --resume goes on, or remove it to begin anew");
+  return holds + (beside ? beside->sweep.title : "an unknown sweep") + ", which are replaced";
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/sweep/shard.hpp"
+#include "tools/sweep/sweep_info.hpp"
+#include "tools/sweep/table_fields.hpp"
+
+namespace rigid_body_sim {
+
+/// What an interrupted sweep has left that can be gone on with.
+struct KeptRows {
+  SweepLedger ledger{};           ///< of the rows
+  std::int64_t lost_until = 0;    ///< rows that there were, where some are lost; 0: none are
+  std::uint64_t lost_digest = 0;  ///< of these rows
+  std::int64_t bytes = 0;         ///< of the table up to their end
+  std::int64_t fan_rows = 0;      ///< that the fan should have by now
+  std::int64_t fan_bytes = 0;     ///< up to their end; 0: they must be made again
+  std::vector<std::string> notices{};
+};
+
+/// The tables that a sweep writes, as their first lines say.
+struct TableHeaders {
+  std::string runs, fan;
+  RowForm form;  ///< of the rows of the first
+};
+
+/// Reads them. Throws std::runtime_error where they are of another sweep, or not as they were
+/// written. Without a row there is nothing to go on with.
+KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHeaders& headers);
+
+/// Throws std::runtime_error where a sweep that begins anew would take rows away that it should go
+/// on with, or a file that is none of a sweep's; returns a notice where it takes others away.
+std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info);
+
+/// Throws std::runtime_error for rows which are not those of a ledger: for the first whose form is
+/// not that of a row where there is one. There are at least as many as in the ledger.
+void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint64_t digest,
+                   const RowForm& form);
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,58 @@
+#include "tools/sweep/sweep_ledger.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+#include "math/counter_draws.hpp"
+
+namespace rigid_body_sim {
+
+void NotedRuns::add(std::int64_t run, const std::string& reason) { add(NotedRuns{1, run, reason}); }
+
+void NotedRuns::add(const NotedRuns& more) {
+  if (more.count > 0 && (count == 0 || more.first < first)) {
+    first = more.first;
+    why = more.why;
+  }
+  count += more.count;
+}
+
+void SweepLedger::addDoubt(std::int64_t run, const std::string& reason) {
+  doubtful.add(run, reason);
+  if (doubtful_runs.size() < kMaxNamed) doubtful_runs.push_back(run);
+}
+
+void SweepLedger::add(const SweepLedger& more) {
+  rows += more.rows;
+  digest += more.digest;
+  fan_digest += more.fan_digest;
+  refused.add(more.refused);
+  doubtful.add(more.doubtful);
+  if (more.doubtful_runs.empty()) return;
+  std::vector<std::int64_t> all;
+  std::merge(doubtful_runs.begin(), doubtful_runs.end(), more.doubtful_runs.begin(),
+             more.doubtful_runs.end(), std::back_inserter(all));
+  all.resize(std::min(all.size(), kMaxNamed));
+  doubtful_runs = std::move(all);
+}
+
+/// As FNV-1a, but eight bytes at a time.
+std::uint64_t digestOfRow(std::string_view row) {
+  std::uint64_t hash = 0xCBF29CE484222325 + row.size();
+  const auto add = [&](std::uint64_t word) {
+    hash = (hash ^ word) * 0x100000001B3;
+    hash ^= hash >> 32;
+  };
+  std::uint64_t word = 0;
+  for (; row.size() >= sizeof word; row.remove_prefix(sizeof word)) {
+    std::memcpy(&word, row.data(), sizeof word);
+    add(word);
+  }
+  word = 0;
+  std::memcpy(&word, row.data(), row.size());
+  add(word);
+  return mixBits(hash);
+}
+
+}  // namespace rigid_body_sim

@@ -1,0 +1,117 @@
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tools/sweep/run_table.hpp"
+#include "tools/sweep/sweep_bench.hpp"
+
+/// Files that are taken away or cut off while they are written, and sweeps that are stopped.
+namespace rigid_body_sim {
+namespace {
+
+std::string faultOf(RunTable& table) {
+  try {
+    table.append("1,2\n");
+    return "";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST(RunTable, TakesNoRowsThatWouldBeLost) {
+  for (const char* how : {"rm -r DIR", "rm DIR/runs.csv", "mv DIR DIR.old",
+                          "touch DIR/other && mv DIR/other DIR/runs.csv"}) {
+    const TemporaryDirectory files;
+    const std::string directory = files.path("out"), path = directory + "/runs.csv";
+    std::filesystem::create_directory(directory);
+    RunTable table = RunTable::create(LockedFile(path), "run,a");
+    EXPECT_EQ(faultOf(table), "");
+    std::string command = how;
+    for (std::size_t at; (at = command.find("DIR")) != std::string::npos;)
+      command.replace(at, 3, directory);
+    ASSERT_EQ(test::runCommand(command).exit_code, 0);
+    EXPECT_EQ(faultOf(table),
+              path +
+                  ": was removed, moved or replaced while this sweep wrote it; put "
+                  "it back, and the same command with --resume goes on, or begin anew")
+        << how;
+    EXPECT_THROW(table.requireInPlace(), std::runtime_error);
+  }
+}
+
+// In the middle of a sweep, which ends at its next write.
+TEST(SweepProgram, EndsAsSoonAsItsDirectoryHasVanished) {
+  for (const char* gone : {"", "/runs.csv", "/fan.csv"}) {
+    const TemporaryDirectory files;
+    const std::string scene = files.written("scene.yaml", test::kPushedBall),
+                      out = files.path("out");
+    const std::string study =
+        files.written("study.yaml", "runs: 50000000\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
+    const test::Outcome run = test::runCommand(
+        "bash -c '" RIGID_BODY_SIM_SWEEP " " + scene + " " + study + " --out " + out +
+        " 2>&1 & until [ $(wc -l <" + out +
+        "/runs.csv 2>/dev/null || echo 0) -gt 100 ] || ! kill -0 $!; do sleep 0.01; done "
+        "2>/dev/null; rm -r " +
+        out + gone + "; wait $!'");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.out.find(": was removed, moved or replaced while this sweep wrote it"),
+              std::string::npos)
+        << run.out;
+  }
+}
+
+TEST(SweepProgram, LeavesNoSummaryThatIsNotWhole) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", test::kPushedBall);
+  // a summary of many columns, beside few rows
+  std::string study = "runs: 2\nvary: {bodies.ball.mass: {list: [1, 2]}}\nrecord:\n";
+  for (int i = 0; i < 280; ++i) study += "  r" + std::to_string(i) + ": {at_end: ball.px}\n";
+  const std::string command =
+      scene + " " + files.written("study.yaml", study) + " --out " + files.path("out");
+  ASSERT_EQ(test::sweep(command, "PATH=/nonexistent").exit_code, 0);
+  const std::string summary = files.path("out/summary.csv"), whole = test::fileText(summary);
+  ASSERT_GT(whole.size(), 16384U);
+  ASSERT_EQ(remove(summary.c_str()), 0);
+  const test::Outcome full = test::runCommand(
+      "bash -c 'trap \"\" XFSZ; ulimit -f 16; PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " +
+      command + " 2>&1'");
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_EQ(full.out,
+            "sweep: " + summary +
+                ": cannot be written: File too large; all runs are in runs.csv: once "
+                "it can be written, the same command makes it, of a sweep with --resume\n");
+  EXPECT_FALSE(std::ifstream(summary).good());
+  EXPECT_FALSE(std::ifstream(summary + ".part").good());
+  EXPECT_EQ(test::sweep(command + " --resume", "PATH=/nonexistent").exit_code, 0);
+  EXPECT_EQ(test::fileText(summary), whole);
+}
+
+// A second signal would end it at once.
+TEST(SweepProgram, SaysThatItStopsWhenLongRunsAreUnderWay) {
+  const TemporaryDirectory files;
+  const std::string scene = files.written("scene.yaml", "integrator: rk4\n" + test::kPushedBall);
+  const std::string study = files.written(
+      "study.yaml", "runs: 4\nduration: 10000000\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
+  const std::string out = files.path("out"), said = files.path("said");
+  const auto wait = [](const std::string& condition) {
+    return "until " + condition + " || ! kill -0 $!; do sleep 0.01; done 2>/dev/null; ";
+  };
+  const test::Outcome run = test::runCommand(
+      "bash -c 'set -m; " RIGID_BODY_SIM_SWEEP " " + scene + " " + study + " --threads 1 --out " +
+      out + " 2>" + said + " & " + wait("[ -s " + out + "/runs.csv ]") + "kill -INT $!; " +
+      wait("grep -q stopping " + said) + "kill -INT $!; wait $!' 2>/dev/null");
+  EXPECT_EQ(run.exit_code, 128 + 2);
+  const std::string text = test::fileText(said);
+  EXPECT_EQ(text.find("sweep: stopping when the runs under way have ended; once more, and it ends "
+                      "at once without them"),
+            0U)
+      << text;
+}
+
+}  // namespace rigid_body_sim
