@@ -83,7 +83,7 @@ void requireRows(const std::string& path, std::int64_t all) {
 /// Refuses what is no whole sweep.
 SweepInfo checked(const std::map<std::int64_t, ShardFiles>& shards) {
   const ShardFiles& first = shards.begin()->second;
-  const SweepInfo info = infoOf(first);
+  SweepInfo info = infoOf(first);
   for (std::int64_t i = 1; i <= first.shard.count; ++i) {
     const auto found = shards.find(i);
     const std::string name = Shard{i, first.shard.count}.fileName("runs", ".csv");
@@ -178,7 +178,7 @@ void interleave(const std::map<std::int64_t, ShardFiles>& shards, const std::str
 
 SweepInfo mergeShards(const std::vector<std::string>& directories, const std::string& out) {
   const std::map<std::int64_t, ShardFiles> shards = shardsIn(directories);
-  const SweepInfo info = checked(shards);
+  SweepInfo info = checked(shards);
   makeDirectory(out);
   const fs::path directory = out;
   for (const char* stem : {"runs", "fan"}) {
