@@ -91,8 +91,7 @@ std::string SweepJob::writeScene(std::int64_t number) {
                      " runs of the study, got " + std::to_string(number));
   const std::string scene = runners_.front()->sceneOf(number);
   makeDirectory(options_.directory());
-  const std::string path =
-      (std::filesystem::path(options_.directory()) / sceneName(number)).string();
+  std::string path = (std::filesystem::path(options_.directory()) / sceneName(number)).string();
   std::string heading = "# run " + std::to_string(number) + " of " + info_.title + ", seed " +
                         std::to_string(inputs_.study.seed);
   if (inputs_.study.duration)
@@ -186,10 +185,11 @@ void SweepJob::report(const SweepOutcome& outcome, std::int64_t kept) const {
   notify(outcome.refused, " runs have no result", outcome.first_refusal);
   notify(outcome.doubtful, " runs may be wrong by more than they should", outcome.first_doubt);
   const std::int64_t all = shard_.runsOf(info_.runs);
-  if (kept + outcome.written == all) return;
+  const std::int64_t done = kept + outcome.written;
+  if (done == all) return;
   std::fprintf(stderr,
                "sweep: stopped after %lld of %lld runs; the same command with --resume goes on\n",
-               static_cast<long long>(kept + outcome.written), static_cast<long long>(all));
+               static_cast<long long>(done), static_cast<long long>(all));
 }
 
 }  // namespace rigid_body_sim

@@ -127,6 +127,7 @@ SweepSummary summarise(const std::string& path, const SweepInfo& info) {
   if (!std::getline(in, line)) throw std::runtime_error(path + ": cannot be read");
   split(line, fields);
   std::vector<std::string> names;
+  names.reserve(fields.size());
   for (const auto& [begin, end] : fields) names.emplace_back(begin, end);
   if (names.size() < info.varied + info.records + 4)
     throw std::runtime_error(path + ": is no table of a sweep");
