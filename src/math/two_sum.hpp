@@ -7,7 +7,7 @@ namespace rigid_body_sim {
 /// Source: Knuth, TAOCP 2, 4.2.2, theorem B.
 template <class T>
 inline T twoSum(const T& a, const T& b, T& rounded_away) {
-  const T sum = a + b;
+  T sum = a + b;
   const T kept = sum - a;
   rounded_away = (a - (sum - kept)) + (b - kept);
   return sum;

@@ -164,8 +164,7 @@ void Grouping::formLooser(RunState& loose, const RunState& fine, bool twice_the_
     if (twice_the_step) choice.max_turn_share *= 2;
     choice.contact_bound *= kCompanionShare;
     std::vector<BodyState> states;
-    for (std::size_t k = 0; k < group.members().size(); ++k)
-      states.push_back(fine.present(group.members()[k]));
+    for (std::size_t body : group.members()) states.push_back(fine.present(body));
     loose.groups.add(Group(*loose.world, loose.laws, group.bodies(), choice, fine.time,
                            std::move(states), loose.law_states, loose.schedules),
                      loose.schedules);

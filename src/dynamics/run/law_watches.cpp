@@ -45,6 +45,7 @@ void LawWatches::forWatches(const F& f) {
 void LawWatches::wakeUp() {
   forWatches([](LawWatch& watch) { watch.wakeUp(); });
   pairs_.forget();
+  // NOLINTNEXTLINE(bugprone-narrowing-conversions): of infinity, from double to double
   quiet_until_ = watches_.empty() && !pairs_.hasLaws() ? kForever : kNotKnown;
 }
 

@@ -64,12 +64,12 @@ class ArrangedSeries {
 
 /// The sums over coefficients of the degrees 1 to k − 1 that add up to k. What the coefficients of
 /// degree k themselves bring in, which come last, is kept apart: nothing but that waits for them.
+// NOLINTBEGIN(bugprone-reserved-identifier): __i0, by which the compiler goes through of_w
 template <class T>
 struct Products {
   Lanes<T> of_w[4];  ///< (ω₂ ω₃, ω₃ ω₁, ω₁ ω₂); of ½ q (0, ω) what ω₁, ω₂, ω₃ bring
   Lanes<T> squares, crosses, turns;  ///< of the components of q
 
-  // NOLINTNEXTLINE(bugprone-reserved-identifier): the index by which the compiler goes through of_w
   RIGID_BODY_SIM_INLINE Products() {
     set<T>(0, 0, 0, 0, squares);
     crosses = turns = of_w[0] = of_w[1] = of_w[2] = of_w[3] = squares;
@@ -92,6 +92,7 @@ struct Products {
     turns += a[k].q * w_0;
   }
 };
+// NOLINTEND(bugprone-reserved-identifier)
 
 /// The products of an even degree and of the next, found in one pass through the coefficients: what
 /// is loaded serves both. Those of q with itself are sums of squares, in which each term comes

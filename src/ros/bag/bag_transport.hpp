@@ -41,7 +41,7 @@ class BagTransport {
   template <class Message>
   static boost::shared_ptr<ros::M_string> connectionHeader(const std::string& path, bool latched) {
     namespace traits = ros::message_traits;
-    const auto header = boost::make_shared<ros::M_string>();
+    auto header = boost::make_shared<ros::M_string>();
     (*header)["topic"] = path;
     (*header)["callerid"] = "/rigid_body_node";
     (*header)["type"] = traits::datatype<Message>();

@@ -30,6 +30,12 @@ std::string faultOfMaster(int argc, char** argv) {
          printable(uri ? uri : "") + "'";
 }
 
+std::string wouldRename(const std::string& argument, const std::string& parameter,
+                        const std::string& value) {
+  return "'" + printable(argument) + "' would rename a topic; a parameter begins with _: _" +
+         parameter + kAssigns + printable(value);
+}
+
 }  // namespace
 
 bool initRos(int& argc, char** argv, const std::string& name, unsigned init_options) {
@@ -64,8 +70,7 @@ std::string missingUnderscore(int argc, char** argv) {
     if (std::find(known.begin(), known.end(), name) == known.end()) continue;
     const std::string value = argument.substr(end + kAssigns.size());
     const bool is_path = name == "scene" && value.find(": ") == std::string::npos;
-    return "'" + printable(argument) + "' would rename a topic; a parameter begins with _: _" +
-           name + (is_path ? "_file" : "") + kAssigns + printable(value);
+    return wouldRename(argument, is_path ? "scene_file" : name, value);
   }
   return "";
 }

@@ -16,8 +16,8 @@ constexpr std::uint32_t kMonitorQueue = 10;
 
 }  // namespace
 
-Monitor::Monitor(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::string& world_frame,
-                 Simulation& simulation, const TimeOrigin& origin)
+Monitor::Monitor(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
+                 const std::string& world_frame, Simulation& simulation, const TimeOrigin& origin)
     : world_frame_(world_frame),
       simulation_(simulation),
       origin_(origin),

@@ -21,8 +21,8 @@ class Monitor {
   using Clock = std::chrono::steady_clock;
 
   /// Simulation and origin are referred to, not copied.
-  Monitor(ros::NodeHandle nh, ros::NodeHandle private_nh, const std::string& world_frame,
-          Simulation& simulation, const TimeOrigin& origin);
+  Monitor(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
+          const std::string& world_frame, Simulation& simulation, const TimeOrigin& origin);
 
   bool isDue(Clock::time_point now) const { return now >= next_report_; }
 

@@ -13,6 +13,7 @@
 #include "programs/standard_streams.hpp"
 #include "programs/usage.hpp"
 #include "ros/node/command_line.hpp"
+#include "ros/node/shutdown_watch.hpp"
 #include "ros/node/simulation_node.hpp"
 #include "scene/message_text.hpp"
 
@@ -80,6 +81,7 @@ int run(const NodeOptions& options, const Scene& scene) {
   std::signal(SIGTERM, onSignal);
   const ros::NodeHandle keeps_ros_started;  // and its log, beyond the node itself
   if (!ros::ok()) return kDone;
+  const ShutdownWatch ends_a_long_step;
   try {
     SimulationNode node(options, scene);
     // not before: the line on a scene that is at fault stands alone

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 #include <sstream>
-#include <utility>
 
 #include <ros/names.h>
 #include <ros/param.h>
@@ -20,10 +19,10 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-std::string quoted(XmlRpcValue value) {
+std::string quoted(const XmlRpcValue& value) {
   std::ostringstream text;
   if (value.getType() == XmlRpcValue::TypeBoolean)
-    text << std::boolalpha << static_cast<bool&>(value);
+    text << std::boolalpha << static_cast<const bool&>(value);
   else
     value.write(text);
   return "'" + printable(text.str()) + "'";
@@ -35,21 +34,21 @@ std::string quoted(XmlRpcValue value) {
                        {name});
 }
 
-std::string readText(const std::string& name, XmlRpcValue value) {
-  if (value.getType() != XmlRpcValue::TypeString || static_cast<std::string&>(value).empty())
+std::string readText(const std::string& name, const XmlRpcValue& value) {
+  if (value.getType() != XmlRpcValue::TypeString || static_cast<const std::string&>(value).empty())
     refuse(name, value, "a string that is not empty");
-  return static_cast<std::string&>(value);
+  return static_cast<const std::string&>(value);
 }
 
-std::string readPath(const std::string& name, XmlRpcValue value) {
+std::string readPath(const std::string& name, const XmlRpcValue& value) {
   if (value.getType() == XmlRpcValue::TypeString &&
-      static_cast<std::string&>(value).find('\n') != std::string::npos)
+      static_cast<const std::string&>(value).find('\n') != std::string::npos)
     refuse(name, value, "a path; the text of a scene goes to ~scene");
-  return readText(name, std::move(value));
+  return readText(name, value);
 }
 
 /// Every scene is a mapping, in which a key ends with a colon.
-std::string readSceneText(const std::string& name, XmlRpcValue value) {
+std::string readSceneText(const std::string& name, const XmlRpcValue& value) {
   std::string text = readText(name, value);
   if (text.find(':') == std::string::npos)
     refuse(name, value, "the YAML text of a scene; a path belongs in ~scene_file");
@@ -57,10 +56,10 @@ std::string readSceneText(const std::string& name, XmlRpcValue value) {
 }
 
 /// Without the slashes at its ends, which frames of tf2 do not have.
-std::string readPrefix(const std::string& name, XmlRpcValue value) {
+std::string readPrefix(const std::string& name, const XmlRpcValue& value) {
   constexpr char kRule[] = "a name as of a ROS node, such as robot_1";
   if (value.getType() != XmlRpcValue::TypeString) refuse(name, value, kRule);
-  std::string prefix = static_cast<std::string&>(value);
+  std::string prefix = static_cast<const std::string&>(value);
   prefix.erase(0, prefix.find_first_not_of('/'));
   prefix.erase(prefix.find_last_not_of('/') + 1);
   std::string fault;
@@ -72,16 +71,17 @@ std::string readPrefix(const std::string& name, XmlRpcValue value) {
 
 /// A list, or a text of names parted by commas or blanks, as launch files and command lines have
 /// it.
-std::vector<std::string> readTopics(const std::string& name, XmlRpcValue value) {
+std::vector<std::string> readTopics(const std::string& name, const XmlRpcValue& value) {
   std::string text;
-  const auto add = [&](XmlRpcValue item) {
+  const auto add = [&](const XmlRpcValue& item) {
     if (item.getType() != XmlRpcValue::TypeString)
       refuse(name, value, "names of topics, as a list or parted by commas");
-    text += static_cast<std::string&>(item) + " ";
+    text += static_cast<const std::string&>(item) + " ";
   };
   if (value.getType() != XmlRpcValue::TypeArray) {
     add(value);
   } else {
+    // NOLINTNEXTLINE(modernize-loop-convert): begin() goes through the members of a struct
     for (int i = 0; i < value.size(); ++i) add(value[i]);
   }
   for (char& c : text)
@@ -95,33 +95,33 @@ std::vector<std::string> readTopics(const std::string& name, XmlRpcValue value) 
   return topics;
 }
 
-bool readBool(const std::string& name, XmlRpcValue value) {
+bool readBool(const std::string& name, const XmlRpcValue& value) {
   if (value.getType() != XmlRpcValue::TypeBoolean) refuse(name, value, "true or false");
-  return static_cast<bool&>(value);
+  return static_cast<const bool&>(value);
 }
 
 /// NaN unless the value is a number.
-double number(XmlRpcValue value) {
-  if (value.getType() == XmlRpcValue::TypeInt) return static_cast<int&>(value);
-  if (value.getType() == XmlRpcValue::TypeDouble) return static_cast<double&>(value);
+double number(const XmlRpcValue& value) {
+  if (value.getType() == XmlRpcValue::TypeInt) return static_cast<const int&>(value);
+  if (value.getType() == XmlRpcValue::TypeDouble) return static_cast<const double&>(value);
   return std::nan("");
 }
 
-double readRate(const std::string& name, XmlRpcValue value) {
+double readRate(const std::string& name, const XmlRpcValue& value) {
   const double x = number(value);
   if (!(x > 0) || !(x <= NodeOptions::kMaxRate))
     refuse(name, value, "a number > 0 and at most 1e9, as stamps are whole nanoseconds");
   return x;
 }
 
-double readNotNegative(const std::string& name, XmlRpcValue value) {
+double readNotNegative(const std::string& name, const XmlRpcValue& value) {
   const double x = number(value);
   if (!std::isfinite(x) || !(x >= 0)) refuse(name, value, "a finite number >= 0");
   return x;
 }
 
 /// One number for all six axes, or six.
-std::array<double, 6> readDiagonal(const std::string& name, XmlRpcValue value) {
+std::array<double, 6> readDiagonal(const std::string& name, const XmlRpcValue& value) {
   constexpr char kRule[] = "a finite number >= 0, or a list of six (x, y, z, rotation about each)";
   std::array<double, 6> diagonal;
   if (value.getType() != XmlRpcValue::TypeArray) {
@@ -135,7 +135,7 @@ std::array<double, 6> readDiagonal(const std::string& name, XmlRpcValue value) {
   return diagonal;
 }
 
-std::optional<double> readTime(const std::string& name, XmlRpcValue value) {
+std::optional<double> readTime(const std::string& name, const XmlRpcValue& value) {
   constexpr double kLatest = std::numeric_limits<std::uint32_t>::max();  // of ros::Time
   const double x = number(value);
   if (!(x >= 0) || !(x <= kLatest)) refuse(name, value, "a time >= 0 s that ROS can represent");
@@ -145,7 +145,7 @@ std::optional<double> readTime(const std::string& name, XmlRpcValue value) {
 using Reader = std::function<void(const std::string& name, const XmlRpcValue&, NodeOptions&)>;
 
 template <class T>
-Reader into(T NodeOptions::*field, T (*read)(const std::string&, XmlRpcValue)) {
+Reader into(T NodeOptions::*field, T (*read)(const std::string&, const XmlRpcValue&)) {
   return [=](const std::string& name, const XmlRpcValue& value, NodeOptions& options) {
     options.*field = read(name, value);
   };

@@ -7,6 +7,7 @@
 
 #include <ros/names.h>
 #include <ros/node_handle.h>
+#include <ros/single_subscriber_publisher.h>
 
 #include "ros/outputs/topic.hpp"
 

@@ -66,16 +66,20 @@ void checkPlane(const Scene& scene, const BodyDef& body) {
                      where + "collision cannot stand beside shape.plane, which touches as it is");
 }
 
+/// where: of the body.
+void checkPart(const Scene& scene, const PartDef& part, std::size_t index,
+               const std::string& where) {
+  const auto* given = std::get_if<MassProperties>(&part.content);
+  const std::string fault = given ? partMassFault(*given) : "";
+  if (!fault.empty())
+    throw SceneError(scene.source, part.line,
+                     where + "parts[" + std::to_string(index) + "]: " + fault);
+}
+
 void checkMassProperties(const Scene& scene, const BodyDef& body) {
   const std::string where = "body '" + body.name + "': ";
   if (const auto* parts = std::get_if<std::vector<PartDef>>(&body.composition))
-    for (std::size_t i = 0; i < parts->size(); ++i) {
-      const auto* given = std::get_if<MassProperties>(&(*parts)[i].content);
-      const std::string fault = given ? partMassFault(*given) : "";
-      if (!fault.empty())
-        throw SceneError(scene.source, (*parts)[i].line,
-                         where + "parts[" + std::to_string(i) + "]: " + fault);
-    }
+    for (std::size_t i = 0; i < parts->size(); ++i) checkPart(scene, (*parts)[i], i, where);
   const std::string fault = bodyMassFault(massProperties(body));
   if (!fault.empty()) throw SceneError(scene.source, body.composition_line, where + fault);
 }
@@ -140,14 +144,14 @@ void checkImus(const Scene& scene, const BodyDef& body) {
   static const std::vector<std::string> kTopics{"accel", "actuators",   "applied_wrench", "command",
                                                 "odom",  "pivot_force", "wrench"};
   for (const ImuDef& def : body.imus) {
-    const std::string where = "body '" + body.name + "': imus." + def.imu.name;
+    const std::string where = "body '" + body.name + "': imus." + def.imu.name + ": ";
     if (std::find(kTopics.begin(), kTopics.end(), def.imu.name) != kTopics.end())
       throw SceneError(scene.source, def.line,
-                       where + ": the topic " + body.name + "/" + def.imu.name +
+                       where + "the topic " + body.name + "/" + def.imu.name +
                            " is the body's own; an IMU needs a name other than " +
                            nameList(kTopics));
     const std::string fault = imuFault(def.imu);
-    if (!fault.empty()) throw SceneError(scene.source, def.line, where + ": " + fault);
+    if (!fault.empty()) throw SceneError(scene.source, def.line, where + fault);
   }
 }
 

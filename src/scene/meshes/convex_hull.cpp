@@ -30,7 +30,7 @@ std::pair<Vector3d, double> farthest(const std::vector<Vector3d>& points, const 
 
 /// Where the points lie that span no volume, to within the thickness; empty where they span one.
 std::string flatness(const std::vector<Vector3d>& points, double thickness) {
-  const Vector3d a = points.front();
+  const Vector3d& a = points.front();
   const auto [b, length] = farthest(points, [&](const Vector3d& p) { return (p - a).norm(); });
   if (!(length > thickness)) return "at one place";
   const Vector3d along = (b - a) / length;

@@ -61,7 +61,7 @@ std::vector<Vector3d> extremePoints(const TriangleMesh& hull, double rounding) {
   const double least = std::max(rounding, 1e-12 * box.diagonal().norm());
   TriangleMesh rest = hull;
   while (true) {
-    const std::vector<Vector3d> kept = withoutLowest(rest, least);
+    std::vector<Vector3d> kept = withoutLowest(rest, least);
     if (kept.size() == rest.vertices.size()) return kept;
     rest = convexHull(kept, least);
   }

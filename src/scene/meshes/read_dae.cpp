@@ -32,8 +32,7 @@ Eigen::Affine3d transformOf(const DaeElement& e) {
   Eigen::Affine3d X = Eigen::Affine3d::Identity();
   if (isNamed(e, "matrix")) {
     const std::vector<double> m = numbersIn(e, 16);  // by rows
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 4; ++j) X.matrix()(i, j) = m[static_cast<std::size_t>(4 * i + j)];
+    X.affine() = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(m.data());
   } else if (isNamed(e, "translate")) {
     X.translation() = vectorAt(numbersIn(e, 3), 0);
   } else if (isNamed(e, "scale")) {

@@ -43,6 +43,7 @@ TriangleMesh solidAround(const FileMesh& file, MeshSolid solid, std::vector<std:
 MeshDef readSolidMesh(const std::string& path, const Vector3d& scale, MeshSolid solid,
                       std::vector<std::string>& notices) {
   const FileMesh file = readMesh(path, scale);
+  const std::string where = path + ": ";
   MeshDef def;
   try {
     std::vector<std::string> remarks;
@@ -50,9 +51,9 @@ MeshDef readSolidMesh(const std::string& path, const Vector3d& scale, MeshSolid 
         solid == MeshSolid::kSurface ? surfaceOf(file, remarks) : solidAround(file, solid, remarks);
     def.volume = volume(mesh);
     def.unit = massProperties(mesh, 1);
-    for (const std::string& remark : remarks) notices.push_back(path + ": " + remark);
+    for (const std::string& remark : remarks) notices.push_back(where + remark);
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(path + ": " + error.what());
+    throw std::runtime_error(where + error.what());
   }
   def.url = viewerUrl(path, "");
   def.scale = scale;

@@ -104,6 +104,7 @@ void readMapping(const Entry& mapping, const std::vector<Key<Def>>& keys, Def& d
   }
   if (faulty || missing > 0) {
     std::vector<KeyName> names;
+    names.reserve(keys.size());
     for (const Key<Def>& key : keys) names.push_back({key.name, key.required});
     refuseKeys(mapping, names);
   }

@@ -57,10 +57,10 @@ CollisionDef toDef(const UrdfCollision& collision, const Isometry3d& X_BL,
 std::vector<CollisionDef> collisionOf(const Entry& entry, const UrdfRobot& robot,
                                       const std::string& path,
                                       const std::vector<PlacedLink>& links) {
-  const std::string remedy = " (a scene may say what touches: collision, a key of the body)";
+  constexpr char kRemedy[] = " (a scene may say what touches: collision, a key of the body)";
   if (!robot.collision_fault.empty())
     entry.fail(entry.key() + ": " + path + ": <collision> or <visual> elements cannot be read: " +
-               robot.collision_fault + remedy);
+               robot.collision_fault + kRemedy);
   std::vector<CollisionDef> defs;
   for (const PlacedLink& placed : links)
     for (const UrdfCollision& collision : placed.link->collisions) {
@@ -69,7 +69,7 @@ std::vector<CollisionDef> collisionOf(const Entry& entry, const UrdfRobot& robot
                              entry.context()));
       } catch (const std::runtime_error& e) {
         entry.fail(entry.key() + ": " + path + ": link '" + printable(placed.link->name) +
-                   "': <collision>: " + e.what() + remedy);
+                   "': <collision>: " + e.what() + kRemedy);
       }
     }
   return defs;

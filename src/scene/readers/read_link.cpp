@@ -36,7 +36,8 @@ const UrdfRobot& robotOf(const Entry& file, const std::string& path) {
   if (known != context.robots.end()) return known->second;
   try {
     UrdfRobot robot = readUrdf(path);
-    for (const std::string& notice : robot.notices) file.note(path + ": " + notice);
+    const std::string where = path + ": ";
+    for (const std::string& notice : robot.notices) file.note(where + notice);
     return context.robots[path] = std::move(robot);
   } catch (const std::runtime_error& e) {
     file.fail(file.key() + ": " + e.what());
@@ -56,6 +57,10 @@ std::vector<PlacedLink> linksOf(const Entry& entry, const LinkKeys& keys, const 
   return links;
 }
 
+std::string ofLink(const PlacedLink& placed, const std::string& text) {
+  return "link '" + printable(placed.link->name) + "': " + text;
+}
+
 /// The masses of the links, in the body frame.
 std::vector<MassProperties> massesOf(const Entry& entry, const std::vector<PlacedLink>& links,
                                      bool balance) {
@@ -63,12 +68,11 @@ std::vector<MassProperties> massesOf(const Entry& entry, const std::vector<Place
   for (const PlacedLink& placed : links) {
     if (!placed.link->mass) continue;
     MassProperties mass = *placed.link->mass;
-    const std::string where = "link '" + printable(placed.link->name) + "': ";
     const std::string notice = balance ? balanceInertia(mass) : "";
-    if (!notice.empty()) entry.note(where + notice);
+    if (!notice.empty()) entry.note(ofLink(placed, notice));
     // of a body of one link, checkScene says the same
     const std::string fault = links.size() > 1 ? partMassFault(mass) : "";
-    if (!fault.empty()) entry.fail(entry.key() + ": " + where + fault);
+    if (!fault.empty()) entry.fail(entry.key() + ": " + ofLink(placed, fault));
     masses.push_back(transformed(placed.X_BL, mass));
   }
   return masses;

@@ -69,7 +69,7 @@ const MeshDef& solidOf(const Entry& file, const MeshEntry& mesh) {
 Vector3d readMeshScale(const Entry& value) {
   if (value.node().kind() == YamlNode::Kind::kScalar)
     return Vector3d::Constant(readPositive(value, ""));
-  const Vector3d scale = readVector3(value, "");
+  Vector3d scale = readVector3(value, "");
   if ((scale.array() == 0).any()) value.failRule("must be > 0 or three numbers other than 0");
   return scale;
 }

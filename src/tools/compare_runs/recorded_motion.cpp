@@ -85,6 +85,7 @@ RecordedMotion motionOfCsv(const std::string& path) {
 }  // namespace
 
 bool haveSameBits(const Motion& a, const Motion& b) {
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits, by which 0 and -0 differ
   return std::memcmp(a.data(), b.data(), sizeof a) == 0;
 }
 

@@ -57,20 +57,25 @@ Masses massesOfScene(const std::string& path) {
   return masses;
 }
 
+std::string faultOfLink(const std::string& link, const std::string& fault) {
+  return "link '" + printable(link) + "': " + fault;
+}
+
 Masses massesOfUrdf(const std::string& path) {
   const UrdfRobot robot = readUrdf(path);
   Masses masses;
-  for (const std::string& notice : robot.notices) masses.notices.push_back(path + ": " + notice);
+  const std::string where = path + ": ";
+  for (const std::string& notice : robot.notices) masses.notices.push_back(where + notice);
   for (const UrdfLink& link : robot.links) {
     if (!link.mass) continue;
     const std::string fault = massPropertiesFault(*link.mass);
     if (fault.empty())
       masses.bodies.push_back({link.name, "", *link.mass});
     else
-      masses.faults.push_back(path + ": link '" + printable(link.name) + "': " + fault);
+      masses.faults.push_back(where + faultOfLink(link.name, fault));
   }
   if (masses.bodies.empty() && masses.faults.empty())
-    throw std::runtime_error(path + ": no link has an <inertial>");
+    throw std::runtime_error(where + "no link has an <inertial>");
   return masses;
 }
 

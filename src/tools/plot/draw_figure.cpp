@@ -89,7 +89,7 @@ std::string blockName(std::size_t panel, std::size_t curve) {
 }
 
 std::string shortened(const std::string& name, std::size_t most) {
-  const std::string line = oneLine(name);
+  std::string line = oneLine(name);
   if (line.size() <= most) return line;
   std::size_t end = most - 3;
   const auto isWithinLetter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };

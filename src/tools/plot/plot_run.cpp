@@ -27,7 +27,7 @@ std::vector<std::string> chosenBodies(const PlotJob& job, const RunData& run, co
     requireKnown(job.bodies, bodiesOf(run));
     return job.bodies;
   }
-  const std::vector<std::string> bodies = bodiesToDraw(run);
+  std::vector<std::string> bodies = bodiesToDraw(run);
   const std::size_t moving = movingBodies(run).size();
   if (moving > bodies.size())
     note("the first " + std::to_string(bodies.size()) + " of " + std::to_string(moving) +

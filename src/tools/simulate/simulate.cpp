@@ -104,6 +104,7 @@ State simulate(SimulateJob& job, const StepHooks& hooks) {
   State state = job.simulation.state();
   if (job.record && job.record->replay().loaded()) job.first = state;
   writeRow(state, job);
+  // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): whole numbers, which are exact
   for (double k = first; k < last; k += stride) {
     const double t = k * job.sample;
     if (!has_rows) stepTo(job.simulation, t, hooks);

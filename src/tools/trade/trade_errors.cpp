@@ -10,7 +10,8 @@ namespace {
 
 /// Takes in one more error; one that is no number is infinite.
 void raise(double& worst, double error) {
-  worst = std::max(worst, std::isnan(error) ? std::numeric_limits<double>::infinity() : error);
+  if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
+  worst = std::max(worst, error);
 }
 
 double relative(double difference, double scale) {

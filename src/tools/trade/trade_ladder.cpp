@@ -14,7 +14,7 @@ std::vector<std::string> integratorsFor(const World& world, const State& initial
     World copy = world;
     copy.solver.integrator = method.name;
     try {
-      Simulation(std::move(copy), initial);
+      const Simulation accepts(std::move(copy), initial);
       names.emplace_back(method.name);
     } catch (const std::invalid_argument&) {
       continue;  // it refuses the scene

@@ -212,6 +212,42 @@ TEST(Node, SaysThatItWaitsForAClockThatNobodySends) {
   EXPECT_EQ(exitCodeAfter(SIGINT, child), 0);
 }
 
+// A node that went on to the end of what it computes would do so for minutes, beyond the time
+// limit.
+
+TEST(Node, EndsOnASignalWhileAutoTriesIntegrators) {
+  std::string bodies, springs;
+  for (int i = 0; i < 30; ++i) {
+    const std::string name = "b" + std::to_string(i);
+    bodies += "  - {name: " + name + ", shape: {box: [0.1, 0.2, 0.3]}, mass: 1}\n";
+    springs += "  - {type: spring, from: {body: " + name +
+               ", point: [0.05, 0, 0]}, to: {world: [0, 0.1, 1]}, stiffness: 4.0e+9}\n";
+  }
+  const std::string name = freshName();
+  const pid_t child =
+      startNode(name, sceneFile("time_step: 1\nbodies:\n" + bodies + "forces:\n" + springs));
+  // ~get_loggers is there before the simulation is made
+  EXPECT_TRUE(ros::service::waitForService(name + "/get_loggers", 20000));
+  EXPECT_EQ(exitCodeAfter(SIGINT, child), 0);
+}
+
+TEST(Node, EndsOnASignalWithinAStep) {
+  std::string bodies = "  - {name: ground, shape: {plane: {}}, fixed: true}\n";
+  for (int i = 0; i < 60; ++i)
+    bodies +=
+        "  - {name: b" + std::to_string(i) + ", shape: {sphere: {radius: 0.1}}, position: [0, " +
+        std::to_string(i) +
+        ", 0.1], mass: 1.0e-6, twist: {frame: world, linear: [1, 0, 0], angular: [0, 10, 0]}}\n";
+  const std::string name = freshName();
+  const pid_t child = startNode(
+      name, sceneFile("time_step: 0.5\ngravity: [0, 0, -9.8]\nbodies:\n" + bodies +
+                      "forces: [{type: contact, between: [ground, all], stiffness: 1.0e+15, "
+                      "restitution: 0.5, at: 3, friction: 0.4}]\n"));
+  // the last thing before the first step
+  EXPECT_TRUE(ros::service::waitForService(name + "/set_real_time_factor", 20000));
+  EXPECT_EQ(exitCodeAfter(SIGINT, child), 0);
+}
+
 TEST(Node, EndsCleanlyOnSigint) { EXPECT_EQ(exitCodeAfter(SIGINT), 0); }
 
 TEST(Node, EndsCleanlyOnSigterm) { EXPECT_EQ(exitCodeAfter(SIGTERM), 0); }
