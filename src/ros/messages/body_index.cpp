@@ -12,6 +12,7 @@ std::size_t bodyNamed(const std::string& name, const std::vector<Body>& bodies) 
                                   [&](const Body& body) { return body.name == name; });
   if (found == bodies.end()) {
     std::vector<std::string> names;
+    names.reserve(bodies.size());
     for (const Body& body : bodies) names.push_back(body.name);
     throw std::invalid_argument("unknown body '" + printable(name) + "'" + didYouMean(name, names));
   }
