@@ -131,7 +131,8 @@ std::string shortfall(const World& world, const MotionPlan& plan) {
   text << ": no integrator was found to hold tolerance " << world.solver.tolerance << " over "
        << world.solver.horizon << " s at this time step; ";
   if (std::isfinite(plan.error))
-    text << "the best tried had " << plan.error << " times the error allowed";
+    text << "the least error found was " << plan.error
+         << " times that, where a trial allows half, and a quarter of rounding";
   else
     text << "no two runs agreed well enough to tell";
   return text.str();

@@ -19,6 +19,8 @@ struct Truth {
   int substeps = 0;                             ///< of the run that is the truth; 0: none
   bool agrees = false;  ///< with itself at longer steps, within the tolerance or as far as rounding
                         ///< lets it
+  double noise = 0;     ///< of rounding, that shorter steps do not take away, as a share of the
+                        ///< tolerance; 0 where runs agree before it is seen
 
   static const Method& method() { return methodNamed("dop853"); }
   const Track& track() const { return runs.at(substeps)->track; }
@@ -41,9 +43,11 @@ Truth truthOf(const TrialRuns& trial) {
     const bool counts = run && rough_steps == 0;
     if (counts && truth.substeps && run->cost > 1.9 * last_cost) {
       const double error = trial.error(truth.track(), run->track);
-      if (error < 0.01 || (error < 1 && error >= last_error) || trial.isStuck(error, last_error)) {
+      const bool is_noise = (error < 1 && error >= last_error) || trial.isStuck(error, last_error);
+      if (error < 0.01 || is_noise) {
         truth.substeps = substeps;
         truth.agrees = true;
+        if (error >= 0.01) truth.noise = error;
         return truth;
       }
       last_error = error;
@@ -55,6 +59,10 @@ Truth truthOf(const TrialRuns& trial) {
   truth.agrees = truth.substeps > 0 && last_error < 1;
   return truth;
 }
+
+/// As a share of the tolerance: half of it may be found against the truth, a fourth be noise of the
+/// run, and a fourth that of the truth.
+constexpr double kMargin = 0.5, kMostNoise = 0.25;
 
 /// A number of substeps that was tried.
 struct Tried {
@@ -105,7 +113,6 @@ class Search {
   }
 
  private:
-  static constexpr double kMargin = 0.5;  // of the tolerance: the truth is itself a computed motion
   static constexpr double kEstimate =
       1;  // of the tolerance, from where on the status says that it is lost
 
@@ -113,9 +120,10 @@ class Search {
     return substeps * method.cost < best_cost_;
   }
 
+  /// Of what it is apart from the truth, so much may be noise of either.
   Tried judged(const TrialRun& run) const {
     const double error = trial_.error(run.track, truth_.track());
-    return {run.substeps, run.cost, error, error / kMargin};
+    return {run.substeps, run.cost, error, error / (kMargin + truth_.noise)};
   }
 
   /// error_else: taken for that of a method that cannot follow.
@@ -170,12 +178,21 @@ class Search {
   double best_cost_ = kUnknown;
 };
 
+/// The motion magnifies rounding so much that no steps hold the tolerance for certain.
+MethodChoice lostInRounding(double noise) {
+  MethodChoice choice = errorControlled();
+  choice.holds = false;
+  choice.error = noise;
+  return choice;
+}
+
 }  // namespace
 
 MethodChoice chooseMethod(const World& world, const LawTable& laws, const CoupledBodies& group,
                           const TrialStart& start, double max_body_steps) {
   const TrialRuns trial(world, laws, group, start, max_body_steps);
   const Truth truth = truthOf(trial);
+  if (truth.noise > kMostNoise) return lostInRounding(truth.noise);
   Search search(trial, truth);
   if (truth.agrees)
     // from the highest order down: what holds a tight tolerance bounds the cost of the others early

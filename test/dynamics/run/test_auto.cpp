@@ -228,6 +228,35 @@ TEST(Auto, IsNotBeyondItsToleranceByItsOwnEstimate) {
   }
 }
 
+/// Turning about its middle axis, which magnifies an error a million times in four seconds.
+Bench unsteadyOnSpring() {
+  Bench bench;
+  bench.world.g_W = {0, 0, -9.81};
+  BodyFrameMotion motion = tumbling({0, 0, 0}, {2, 60, 1});
+  motion.x_W = {0.3, 0, 1};
+  bench.add(principalBody("a", 1, {0.01, 0.018, 0.025}), motion);
+  bench.addSpring({kWorld, {0, 0, 2}}, {0, {0.05, 0, 0.1}}, {40, 0.05, 0.5});
+  return bench;
+}
+
+// Runs in more and more substeps come no closer to one another there than rounding lets them; the
+// last of them, which the others are compared with, is no better.
+TEST(Auto, SaysWhereRoundingIsMagnifiedBeyondTheTolerance) {
+  constexpr int kSeconds = 4;
+  const reference::Motions truth = referenceRun(unsteadyOnSpring(), kSeconds);
+  for (double tolerance : {1e-7, 1e-10}) {
+    Bench bench = unsteadyOnSpring();
+    bench.world.solver.horizon = kSeconds;
+    bench.world.solver.tolerance = tolerance;
+    Simulation sim = bench.simulation("auto", 0.004);
+    const MotionPlan plan = sim.plans()[0];
+    EXPECT_EQ(plan.holds, tolerance > 1e-9);
+    while (sim.time() < kSeconds) sim.step();
+    const double error = motionErrors(sim.state(), truth).attitude;
+    EXPECT_EQ(error < tolerance, plan.holds) << error;
+  }
+}
+
 /// Drag and buoyancy of a lone body are solved by series, whatever an integrator would need.
 bool isSolvable(Case c) {
   auto& laws = c.bench.world.laws;
