@@ -179,9 +179,14 @@ void SimulationNode::advance() {
 }
 
 void SimulationNode::endStep() {
+  leaveStep();
+  outputs_.followBodies();
+}
+
+/// What was shown of a step is over.
+void SimulationNode::leaveStep() {
   within_step_ = pulled_ = false;
   outputs_.watch(simulation_);
-  outputs_.followBodies();
   rest_of_step_.reset();
 }
 
@@ -213,21 +218,28 @@ void SimulationNode::reportingDivergence(const std::function<void()>& action) {
 void SimulationNode::follow(const SimulationInput& input) {
   mouse_.follow(input);
   outputs_.takeInput();
-  followBodies();
   const auto* reset = std::get_if<ResetInput>(&input);
   const bool loads = std::holds_alternative<LoadInput>(input);
   if (reset || loads || std::holds_alternative<StateInput>(input) ||
       std::holds_alternative<PresenceInput>(input))
     outputs_.breakTrails();
-  if (!reset && !loads) return;
-  divergence_.clear();
-  const bool jumps = loads || reset->restart_time;
-  if (jumps || !rest_of_step_) endStep();
-  if (!jumps) return restartClocks();
+  if (reset || loads) divergence_.clear();
+  if (loads || (reset && reset->restart_time)) return beginAnew(loads);
+  followBodies();
+  if (!reset) return;
+  if (!rest_of_step_) endStep();
+  restartClocks();
+}
+
+/// Time has been set, by a state that was loaded or by a reset.
+void SimulationNode::beginAnew(bool loads) {
+  leaveStep();
   const ros::Time last_stamp = outputs_.lastStamp();
   const double t = simulation_.time();
   if (loads) time_.jumpTo(t, last_stamp, simulation_.world().solver.time_step);
   outputs_.restart(t);
+  outputs_.setStanding(false);  // all bodies are published below, not only those that come in
+  followBodies();
   lockstep_.restart();
   outputs_.setStanding(paused_);
   restartClocks();

@@ -53,11 +53,13 @@ class SimulationNode {
   void publishWithinStep(const std::function<void()>& publish);
   void advance();
   void endStep();
+  void leaveStep();
   void prepareForInput();
   void reportingDivergence(const std::function<void()>& action);
   void report();
   void restartClocks();
   void follow(const SimulationInput& input);
+  void beginAnew(bool loads);
   void followBodies();
 
   bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);

@@ -73,9 +73,12 @@ void Outputs::followBodies() {
   // not latched: whoever comes later is not to delete anything
   if (!leaving.empty()) topics_.live_markers.publish(markers_.deletions(leaving), stamp);
   markers_.publish(absentBodies(), stamp);
+  if (!shown_.isStanding()) return;
   // while time stands no state is due that would show them
-  if (shown_.isStanding() && !entering.empty() && topics_.tf.subscribers() > 0)
+  if (!entering.empty() && topics_.tf.subscribers() > 0)
     topics_.tf.publish(messages_.transforms(entering, shown_.snapshot(), stamp), stamp);
+  // the trail, arrows and lines of those that leave
+  if (live_markers_.hasSubscribers()) live_markers_.publish(shown_.snapshot(), stamp);
 }
 
 }  // namespace rigid_body_sim

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -191,6 +192,35 @@ TEST_F(LiveBodies, ThatLeaveAndComeInAreRecordedRepeatedSavedAndLoaded) {
   EXPECT_EQ(setPresent(boxAt(7)), "");
   driver.step(30);
   expectSameBox(boxNow(), end);
+}
+
+TEST_F(LiveBodies, ComeBackWithAStateOfThePastWhileTimeStands) {
+  std::vector<ros::Time> stamps;
+  const ros::Subscriber tf = nh.subscribe<tf2_msgs::TFMessage>(
+      "/tf", 100,
+      boost::function<void(const tf2_msgs::TFMessage&)>([&](const tf2_msgs::TFMessage& message) {
+        for (const auto& transform : message.transforms)
+          if (transform.child_frame_id == "box") stamps.push_back(transform.header.stamp);
+      }));
+  driver.step(1);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return !stamps.empty(); }));
+  SetPresent::Request leave;
+  leave.body = "box";
+  Step::Request five;
+  five.steps = 5;
+  file("save", "here.state");
+  const GetState::Response here = boxNow();
+  EXPECT_EQ(setPresent(leave), "");
+  EXPECT_TRUE(call<Step>("step", five).success);
+  file("load", "here.state");
+  expectSameBox(boxNow(), here);
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return stamps.size() > 1; }));
+  driver.step(5);
+  EXPECT_EQ(setPresent(leave), "");
+  EXPECT_TRUE(call<Step>("step", five).success);
+  driver.reset();
+  driver.step(5);
+  EXPECT_EQ(std::adjacent_find(stamps.begin(), stamps.end(), std::greater_equal<>()), stamps.end());
 }
 
 TEST_F(LiveBodies, RefuseMassPropertiesThatNoBodyCanHave) {
