@@ -28,8 +28,11 @@ bool isInBodyAxes(const std::string& frame, std::size_t i, const World& world,
     if (frame == "body" || (i < body_frames.size() && frame == body_frames[i])) return true;
     if (frame == "world") return false;
   }
-  throw std::invalid_argument("frame must be that of the world, '" + world_frame +
-                              "' or 'world', or of the body, '" + body + "' or 'body', got '" +
+  const auto named = [](const std::string& own, const std::string& general) {
+    return "'" + own + "'" + (own == general ? "" : " or '" + general + "'");
+  };
+  throw std::invalid_argument("frame must be that of the world, " + named(world_frame, "world") +
+                              ", or of the body, " + named(body, "body") + ", got '" +
                               printable(frame) + "'");
 }
 
