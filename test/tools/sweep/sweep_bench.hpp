@@ -21,6 +21,16 @@ wrenches:
   - {body: ball, frame: world, force: [3, 0, 0], start: 0, duration: 1}
 )";
 
+/// A ball that falls on the ground in steps so long that nothing tells the error.
+inline const std::string kDoubtfulBall = R"(gravity: [0, 0, -10]
+time_step: 0.6
+horizon: 1
+bodies:
+  - {name: ground, shape: {plane: {}}, fixed: true}
+  - {name: ball, shape: {sphere: {radius: 0.1}}, mass: 2, position: [0, 0, 1]}
+forces: [{type: contact, between: [ball, ground], stiffness: 1e4}]
+)";
+
 inline Outcome sweep(const std::string& arguments, const std::string& environment = "") {
   return runCommand(environment + " " + RIGID_BODY_SIM_SWEEP + " " + arguments + " 2>&1");
 }

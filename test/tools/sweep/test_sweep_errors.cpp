@@ -63,14 +63,7 @@ TEST(SweepErrors, SayWhereContactLosesTheTolerance) {
 
 TEST(SweepErrors, StayEmptyWhereNothingCouldBeCompared) {
   const TemporaryDirectory files;
-  const std::string scene = files.written("scene.yaml", R"(gravity: [0, 0, -10]
-time_step: 0.6
-horizon: 1
-bodies:
-  - {name: ground, shape: {plane: {}}, fixed: true}
-  - {name: ball, shape: {sphere: {radius: 0.1}}, mass: 2, position: [0, 0, 1]}
-forces: [{type: contact, between: [ball, ground], stiffness: 1e4}]
-)");
+  const std::string scene = files.written("scene.yaml", test::kDoubtfulBall);
   const std::string study =
       files.written("study.yaml", "runs: 2\nvary: {bodies.ball.mass: {list: [1, 2]}}");
   const std::string out = files.path("out");

@@ -21,14 +21,7 @@ std::optional<TableInfo> infoIn(const std::string& directory, const std::string&
 /// A sweep whose runs have a doubtful error, but those whose masses are refused.
 struct DoubtfulSweep {
   TemporaryDirectory files;
-  std::string scene = files.written("scene.yaml", R"(gravity: [0, 0, -10]
-time_step: 0.6
-horizon: 1
-bodies:
-  - {name: ground, shape: {plane: {}}, fixed: true}
-  - {name: ball, shape: {sphere: {radius: 0.1}}, mass: 2, position: [0, 0, 1]}
-forces: [{type: contact, between: [ball, ground], stiffness: 1e4}]
-)");
+  std::string scene = files.written("scene.yaml", test::kDoubtfulBall);
   std::string study = files.written(
       "study.yaml", "runs: 12\nseed: 2\nvary: {bodies.ball.mass: {uniform: [-0.2, 1]}}");
 

@@ -25,6 +25,27 @@
 
 /// Parts of `sweep`, without the program.
 namespace rigid_body_sim {
+namespace {
+
+/// Of pushed balls of many masses.
+SweepInputs inputsOfRuns(int runs) {
+  SweepInputs inputs;
+  inputs.study =
+      parseStudy("runs: " + std::to_string(runs) + "\nvary: {bodies.ball.mass: {uniform: [1, 2]}}",
+                 "study.yaml");
+  inputs.scene_text = test::kPushedBall;
+  inputs.context.source = "scene.yaml";
+  return inputs;
+}
+
+/// They refer to the inputs.
+std::vector<std::unique_ptr<SweepRunner>> runnersOf(const SweepInputs& inputs, int count) {
+  std::vector<std::unique_ptr<SweepRunner>> runners;
+  for (int i = 0; i < count; ++i) runners.push_back(std::make_unique<SweepRunner>(inputs));
+  return runners;
+}
+
+}  // namespace
 
 TEST(SweepOptions, HaveAThreadForEachCoreThatTheProcessMayUse) {
   cpu_set_t all, one;
@@ -45,13 +66,8 @@ TEST(SweepOptions, HaveAThreadForEachCoreThatTheProcessMayUse) {
 }
 
 TEST(SweepPool, WritesNothingAfterAWriteThatFailed) {
-  SweepInputs inputs;
-  inputs.study =
-      parseStudy("runs: 5000\nvary: {bodies.ball.mass: {uniform: [1, 2]}}", "study.yaml");
-  inputs.scene_text = test::kPushedBall;
-  inputs.context.source = "scene.yaml";
-  std::vector<std::unique_ptr<SweepRunner>> runners;
-  for (int i = 0; i < 8; ++i) runners.push_back(std::make_unique<SweepRunner>(inputs));
+  const SweepInputs inputs = inputsOfRuns(5000);
+  auto runners = runnersOf(inputs, 8);
   const std::atomic<bool> stop{false};
   for (int attempt = 0; attempt < 20; ++attempt) {
     int writes = 0;
@@ -71,13 +87,8 @@ TEST(SweepPool, WritesNothingAfterAWriteThatFailed) {
 
 // While other threads are at work, which must be waited for.
 TEST(SweepPool, ThrowsWhatItsProgressThrows) {
-  SweepInputs inputs;
-  inputs.study =
-      parseStudy("runs: 5000000\nvary: {bodies.ball.mass: {uniform: [1, 2]}}", "study.yaml");
-  inputs.scene_text = test::kPushedBall;
-  inputs.context.source = "scene.yaml";
-  std::vector<std::unique_ptr<SweepRunner>> runners;
-  for (int i = 0; i < 3; ++i) runners.push_back(std::make_unique<SweepRunner>(inputs));
+  const SweepInputs inputs = inputsOfRuns(5000000);
+  auto runners = runnersOf(inputs, 3);
   const std::atomic<bool> stop{false};
   SweepPool pool(
       runners, Shard{}, [](const MadeRuns&) {}, stop);
