@@ -189,4 +189,19 @@ TEST(StateFile, TakesThePlaceOfAnotherOnlyOnceItIsWritten) {
   EXPECT_THROW(requireSavable(directory.path("none/a.state")), SceneError);
 }
 
+TEST(StateFile, NeitherTakesThePlaceOfADeviceNorOfALink) {
+  namespace fs = std::filesystem;
+  const TemporaryDirectory directory;
+  const Simulation sim = savedRun();
+  const std::string full = directory.path("full.state"), link = directory.path("link.state");
+  fs::create_symlink("/dev/full", full);  // a link, that nothing may happen to the device
+  EXPECT_THROW(saveState(full, sim.world(), sim.state()), SceneError);
+  EXPECT_TRUE(fs::is_character_file(full));
+
+  fs::create_symlink(directory.written("a.state", "before"), link);
+  saveState(link, sim.world(), sim.state());
+  EXPECT_TRUE(fs::is_symlink(link));
+  test::expectSameState(loadState(directory.path("a.state"), sim.world()), sim.state());
+}
+
 }  // namespace rigid_body_sim

@@ -15,8 +15,22 @@
 namespace rigid_body_sim {
 namespace {
 
+/// Whether nothing can take its place: a device or a pipe.
+bool isWrittenThrough(const std::string& path) {
+  std::error_code is_gone;
+  const std::filesystem::file_status there = std::filesystem::status(path, is_gone);
+  return std::filesystem::exists(there) && !std::filesystem::is_regular_file(there);
+}
+
+/// That to which links lead, so that they stay.
+std::string targetOf(const std::string& path) {
+  std::error_code fault;
+  const std::string target = std::filesystem::canonical(path, fault).string();
+  return fault ? path : target;
+}
+
 /// In the same directory, so that it can take the place of the file at once.
-std::string unfinished(const std::string& path) { return path + ".unfinished"; }
+std::string unfinished(const std::string& path) { return targetOf(path) + ".unfinished"; }
 
 /// Writes a file; what went wrong.
 std::error_code write(const std::string& path, const std::string& text) {
@@ -62,14 +76,21 @@ void requireSavable(const std::string& path) {
   std::error_code fault;
   if (std::filesystem::is_directory(path, fault))
     throw SceneError(path, 0, "is a directory, not a file for a state");
+  if (isWrittenThrough(path)) return;
   fault = write(unfinished(path), "");
   if (!fault) std::filesystem::remove(unfinished(path), fault);
   requireWritten(path, fault);
 }
 
 void saveState(const std::string& path, const World& world, const State& state) {
-  std::error_code fault = write(unfinished(path), stateText(world, state));
-  if (!fault) std::filesystem::rename(unfinished(path), path, fault);
+  const std::string text = stateText(world, state);
+  if (isWrittenThrough(path)) {
+    const std::error_code fault = write(path, text);
+    if (fault) throw SceneError(path, 0, "cannot be written: " + fault.message());
+    return;
+  }
+  std::error_code fault = write(unfinished(path), text);
+  if (!fault) std::filesystem::rename(unfinished(path), targetOf(path), fault);
   requireWritten(path, fault);
 }
 
