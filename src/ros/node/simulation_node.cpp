@@ -28,10 +28,14 @@ void checkNames(const Scene& scene) {
                            any_body + " would be two topics");
 }
 
-Simulation makeSimulation(const Scene& scene) {
+/// The trials of auto may take long.
+Simulation makeSimulation(const Scene& scene, StepWatch& watch) {
   checkNames(scene);
   const World world = buildWorld(scene);
-  return Simulation(world, initialState(scene, world));
+  watch.begin(StepWatch::kBeforeTheRun);
+  Simulation simulation(world, initialState(scene, world));
+  watch.end();
+  return simulation;
 }
 
 OutputTopics rosTopics(const ros::NodeHandle& nh, const World& world, const NodeOptions& options) {
@@ -57,7 +61,7 @@ std::vector<std::string> movingNames(const World& world) {
 
 SimulationNode::SimulationNode(const NodeOptions& options, const Scene& scene)
     : reset_time_(options.reset_time),
-      simulation_(makeSimulation(scene)),
+      simulation_(makeSimulation(scene, watch_)),
       paused_(options.start_paused),
       time_(options, queues_.nh, queues_.queue),
       outputs_(rosTopics(queues_.nh, simulation_.world(), options), options, scene, simulation_,

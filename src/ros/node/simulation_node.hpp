@@ -74,6 +74,7 @@ class SimulationNode {
   void followWithCamera(const std::string& handle);
   bool reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
+  StepWatch watch_{[](const std::string& text) { ROS_WARN("%s", text.c_str()); }};
   const bool reset_time_;
   Simulation simulation_;
   std::optional<Simulation> rest_of_step_;       // shown while the simulation is at the step's end
@@ -96,7 +97,6 @@ class SimulationNode {
   Lockstep lockstep_;
   InputInterfaces interfaces_;
   ros::ServiceServer pause_, step_, reset_, real_time_factor_;
-  StepWatch watch_{[](const std::string& text) { ROS_WARN("%s", text.c_str()); }};
 };
 
 }  // namespace rigid_body_sim
