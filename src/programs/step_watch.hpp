@@ -1,12 +1,11 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <string>
-#include <thread>
+
+#include "programs/looking_thread.hpp"
 
 namespace rigid_body_sim {
 
@@ -21,9 +20,6 @@ class StepWatch {
   /// say(text): called by a thread of its own. patience [s] of wall time.
   explicit StepWatch(std::function<void(const std::string&)> say, double patience = 10,
                      What what = step);
-  ~StepWatch();
-  StepWatch(const StepWatch&) = delete;
-  StepWatch& operator=(const StepWatch&) = delete;
 
   static constexpr double kBeforeTheRun = -1;
 
@@ -41,7 +37,7 @@ class StepWatch {
   void end() { is_busy_.store(false, std::memory_order_relaxed); }
 
  private:
-  void watch();
+  bool look();
 
   std::function<void(const std::string&)> say_;
   double patience_;
@@ -49,10 +45,9 @@ class StepWatch {
   std::atomic<double> time_{0};
   std::atomic<std::uint64_t> begun_{0};
   std::atomic<bool> is_busy_{false};
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool ends_ = false;
-  std::thread thread_;  // the last: it sees the others
+  std::uint64_t seen_ = 0;  // by the thread, like the next
+  int same_ = 0;            // looks that have found the same
+  LookingThread thread_;    // the last: it sees the others
 };
 
 }  // namespace rigid_body_sim

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <condition_variable>
-#include <mutex>
-#include <thread>
+#include "programs/looking_thread.hpp"
 
 namespace rigid_body_sim {
 
@@ -11,18 +9,13 @@ namespace rigid_body_sim {
 /// nobody, and no file is replaced before it is whole.
 class ShutdownWatch {
  public:
-  ShutdownWatch() : thread_([this] { watch(); }) {}
-  ~ShutdownWatch();
-  ShutdownWatch(const ShutdownWatch&) = delete;
-  ShutdownWatch& operator=(const ShutdownWatch&) = delete;
+  ShutdownWatch();
 
  private:
-  void watch();
+  bool look();
 
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool ends_ = false;
-  std::thread thread_;  // the last: it sees the others
+  int begun_ = 0, done_ = 0;  // looks at which roscpp's shutdown was, by the thread
+  LookingThread thread_;      // the last: it sees the others
 };
 
 }  // namespace rigid_body_sim

@@ -77,17 +77,16 @@ TEST(SweepProgram, SaysAllThatAMergeLacks) {
 // The greatest values that there are have no sum, so that their mean is not known.
 TEST(SweepProgram, SummarisesTheGreatestNumbers) {
   const TemporaryDirectory files;
-  const std::string scene = files.written("scene.yaml", test::kPushedBall);
-  const std::string study =
+  const std::string inputs =
+      files.written("scene.yaml",
+                    "gravity: [0, 0, 0]\ntime_step: 0.01\nhorizon: 1\nbodies:\n"
+                    "  - {name: ball, shape: {sphere: {radius: 0.1}}, mass: 2, "
+                    "position: [0, 0, 0]}\n") +
+      " " +
       files.written("study.yaml",
                     "runs: 30\nvary: {'bodies.ball.position[0]': {uniform: [-1.7e308, 1.7e308]}}\n"
                     "record: {x: {at_end: ball.px}}");
-  const test::Outcome run =
-      test::sweep(files.written("scene.yaml",
-                                "gravity: [0, 0, 0]\ntime_step: 0.01\nhorizon: 1\nbodies:\n"
-                                "  - {name: ball, shape: {sphere: {radius: 0.1}}, mass: 2, "
-                                "position: [0, 0, 0]}\n") +
-                  " " + study + " --out " + files.path("out"));
+  const test::Outcome run = test::sweep(inputs + " --out " + files.path("out"));
   EXPECT_EQ(run.exit_code, 0) << run.out;
   EXPECT_EQ(run.out.find("nan"), std::string::npos) << run.out;
   EXPECT_EQ(test::fileText(files.path("out/summary.csv")).find("nan"), std::string::npos);
