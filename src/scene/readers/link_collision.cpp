@@ -68,8 +68,8 @@ std::vector<CollisionDef> collisionOf(const Entry& entry, const UrdfRobot& robot
         defs.push_back(toDef(collision, placed.X_BL, std::filesystem::path(path).parent_path(),
                              entry.context()));
       } catch (const std::runtime_error& e) {
-        entry.fail(entry.key() + ": " + path + ": link '" + printable(placed.link->name) +
-                   "': <collision>: " + e.what() + kRemedy);
+        entry.fail(entry.key() + ": " + path + ": " +
+                   ofLink(placed.link->name, std::string("<collision>: ") + e.what() + kRemedy));
       }
     }
   return defs;

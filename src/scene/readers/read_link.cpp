@@ -57,10 +57,6 @@ std::vector<PlacedLink> linksOf(const Entry& entry, const LinkKeys& keys, const 
   return links;
 }
 
-std::string ofLink(const PlacedLink& placed, const std::string& text) {
-  return "link '" + printable(placed.link->name) + "': " + text;
-}
-
 /// The masses of the links, in the body frame.
 std::vector<MassProperties> massesOf(const Entry& entry, const std::vector<PlacedLink>& links,
                                      bool balance) {
@@ -69,10 +65,10 @@ std::vector<MassProperties> massesOf(const Entry& entry, const std::vector<Place
     if (!placed.link->mass) continue;
     MassProperties mass = *placed.link->mass;
     const std::string notice = balance ? balanceInertia(mass) : "";
-    if (!notice.empty()) entry.note(ofLink(placed, notice));
+    if (!notice.empty()) entry.note(ofLink(placed.link->name, notice));
     // of a body of one link, checkScene says the same
     const std::string fault = links.size() > 1 ? partMassFault(mass) : "";
-    if (!fault.empty()) entry.fail(entry.key() + ": " + ofLink(placed, fault));
+    if (!fault.empty()) entry.fail(entry.key() + ": " + ofLink(placed.link->name, fault));
     masses.push_back(transformed(placed.X_BL, mass));
   }
   return masses;

@@ -42,8 +42,8 @@ UrdfLink toLink(const urdf::Link& link, const std::filesystem::path& directory,
     if (drawn)
       read.visuals.push_back(*drawn);
     else
-      notices.push_back("link '" + printable(link.name) +
-                        "': a <visual> without a geometry that is known is left out");
+      notices.push_back(
+          ofLink(link.name, "a <visual> without a geometry that is known is left out"));
   }
   for (const urdf::CollisionSharedPtr& collision : link.collision_array)
     read.collisions.push_back(toCollision(*collision));
@@ -97,6 +97,10 @@ UrdfRobot readUrdf(const std::string& path) {
   } catch (const std::runtime_error& e) {
     throw std::runtime_error(path + ": is not a URDF file that can be read: " + oneLine(e.what()));
   }
+}
+
+std::string ofLink(const std::string& link, const std::string& text) {
+  return "link '" + printable(link) + "': " + text;
 }
 
 }  // namespace rigid_body_sim

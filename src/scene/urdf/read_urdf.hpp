@@ -56,4 +56,7 @@ struct UrdfRobot {
 /// limits.hpp, is no URDF robot, or whose links are no tree.
 UrdfRobot readUrdf(const std::string& path);
 
+/// A message about a link: "link 'arm': …".
+std::string ofLink(const std::string& link, const std::string& text);
+
 }  // namespace rigid_body_sim

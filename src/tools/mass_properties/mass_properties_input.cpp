@@ -57,10 +57,6 @@ Masses massesOfScene(const std::string& path) {
   return masses;
 }
 
-std::string faultOfLink(const std::string& link, const std::string& fault) {
-  return "link '" + printable(link) + "': " + fault;
-}
-
 Masses massesOfUrdf(const std::string& path) {
   const UrdfRobot robot = readUrdf(path);
   Masses masses;
@@ -72,7 +68,7 @@ Masses massesOfUrdf(const std::string& path) {
     if (fault.empty())
       masses.bodies.push_back({link.name, "", *link.mass});
     else
-      masses.faults.push_back(where + faultOfLink(link.name, fault));
+      masses.faults.push_back(where + ofLink(link.name, fault));
   }
   if (masses.bodies.empty() && masses.faults.empty())
     throw std::runtime_error(where + "no link has an <inertial>");
