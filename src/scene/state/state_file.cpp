@@ -1,6 +1,4 @@
-#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -9,44 +7,15 @@
 
 #include "dynamics/world_changes.hpp"
 #include "scene/files/read_file.hpp"
+#include "scene/files/write_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/state/state_format.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-/// Whether nothing can take its place: a device or a pipe.
-bool isWrittenThrough(const std::string& path) {
-  std::error_code is_gone;
-  const std::filesystem::file_status there = std::filesystem::status(path, is_gone);
-  return std::filesystem::exists(there) && !std::filesystem::is_regular_file(there);
-}
-
-/// That to which links lead, so that they stay.
-std::string targetOf(const std::string& path) {
-  std::error_code fault;
-  const std::string target = std::filesystem::canonical(path, fault).string();
-  return fault ? path : target;
-}
-
-/// In the same directory, so that it can take the place of the file at once.
-std::string unfinished(const std::string& path) { return targetOf(path) + ".unfinished"; }
-
-/// Writes a file; what went wrong.
-std::error_code write(const std::string& path, const std::string& text) {
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (file) return {};
-  return {errno == 0 ? EIO : errno, std::generic_category()};
-}
-
 void requireWritten(const std::string& path, const std::error_code& fault) {
-  if (!fault) return;
-  std::error_code no_matter;
-  std::filesystem::remove(unfinished(path), no_matter);
-  throw SceneError(path, 0, "cannot be written: " + fault.message());
+  if (fault) throw SceneError(path, 0, "cannot be written: " + fault.message());
 }
 
 }  // namespace
@@ -73,25 +42,14 @@ std::string stateText(const World& world, const State& state) {
 }
 
 void requireSavable(const std::string& path) {
-  std::error_code fault;
-  if (std::filesystem::is_directory(path, fault))
+  std::error_code no_matter;
+  if (std::filesystem::is_directory(path, no_matter))
     throw SceneError(path, 0, "is a directory, not a file for a state");
-  if (isWrittenThrough(path)) return;
-  fault = write(unfinished(path), "");
-  if (!fault) std::filesystem::remove(unfinished(path), fault);
-  requireWritten(path, fault);
+  requireWritten(path, writeFault(path));
 }
 
 void saveState(const std::string& path, const World& world, const State& state) {
-  const std::string text = stateText(world, state);
-  if (isWrittenThrough(path)) {
-    const std::error_code fault = write(path, text);
-    if (fault) throw SceneError(path, 0, "cannot be written: " + fault.message());
-    return;
-  }
-  std::error_code fault = write(unfinished(path), text);
-  if (!fault) std::filesystem::rename(unfinished(path), targetOf(path), fault);
-  requireWritten(path, fault);
+  requireWritten(path, writeFile(path, stateText(world, state)));
 }
 
 State loadState(const std::string& path, const World& world) {

@@ -4,15 +4,16 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "scene/files/write_file.hpp"
 #include "scene/message_text.hpp"
 #include "tools/sweep/sweep_ledger.hpp"
 
@@ -80,16 +81,9 @@ std::optional<std::string> textOf(const std::string& path) {
 }
 
 void writeText(const std::string& path, const std::string& text) {
-  const std::string part = path + ".part";
-  {
-    std::ofstream out(part, std::ios::binary | std::ios::trunc);
-    out << text;
-    out.close();
-    if (out && std::rename(part.c_str(), path.c_str()) == 0) return;
-  }
-  const int why = errno;
-  std::remove(part.c_str());
-  errno = why;
+  const std::error_code fault = writeFile(path, text);
+  if (!fault) return;
+  errno = fault.value();
   failToWrite(path);
 }
 

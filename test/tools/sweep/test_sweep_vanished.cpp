@@ -87,7 +87,7 @@ TEST(SweepProgram, LeavesNoSummaryThatIsNotWhole) {
                 ": cannot be written: File too large; all runs are in runs.csv: once "
                 "it can be written, the same command makes it, of a sweep with --resume\n");
   EXPECT_FALSE(std::ifstream(summary).good());
-  EXPECT_FALSE(std::ifstream(summary + ".part").good());
+  EXPECT_FALSE(std::ifstream(summary + ".unfinished").good());
   EXPECT_EQ(test::sweep(command + " --resume", "PATH=/nonexistent").exit_code, 0);
   EXPECT_EQ(test::fileText(summary), whole);
 }
