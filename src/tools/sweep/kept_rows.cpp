@@ -5,7 +5,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "tools/sweep/other_tables.hpp"
 #include "tools/sweep/run_table.hpp"
 
 namespace rigid_body_sim {
@@ -54,7 +53,6 @@ SweepLedger ledgerByForm(const ShardFiles& files, const SweepLedger& whole, std:
 void keepFan(const ShardFiles& files, const SweepLedger& written, std::int64_t written_rows,
              const std::string& header, KeptRows& kept) {
   const std::string path = files.path("fan", ".csv");
-  requireTableOfASweep(path, "fan");
   if (wholeRows(path) < kept.fan_rows) {
     kept.notices.push_back(path + ": has lost rows, which are made again");
     return;
@@ -120,8 +118,6 @@ KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHea
 
 std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info) {
   const std::string table = files.path("runs", ".csv");
-  requireTableOfASweep(table, "runs");
-  if (!info.fan.empty()) requireTableOfASweep(files.path("fan", ".csv"), "fan");
   const std::int64_t rows = wholeRows(table);
   if (rows == 0) return "";
   const std::optional<TableInfo> beside = infoBeside(files);

@@ -32,7 +32,7 @@ struct TableHeaders {
 KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHeaders& headers);
 
 /// Throws std::runtime_error where a sweep that begins anew would take rows away that it should go
-/// on with, or a file that is none of a sweep's; returns a notice where it takes others away.
+/// on with; returns a notice where it takes others away.
 std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info);
 
 /// Throws std::runtime_error for rows which are not those of a ledger: for the first whose form is

@@ -144,15 +144,13 @@ TableHeaders SweepJob::headers() const {
 
 /// What is gone on with; nothing where the tables begin anew.
 KeptRows SweepJob::rowsToKeep() const {
+  requireTableOfASweep(files_.path("runs", ".csv"), "runs");
+  if (!info_.sweep.fan.empty()) requireTableOfASweep(files_.path("fan", ".csv"), "fan");
   KeptRows kept;
   if (options_.resume)
     kept = keptRows(files_, info_.sweep, headers());
   else
     notify(refuseToReplace(files_, info_.sweep));
-  if (kept.ledger.rows == 0) {
-    requireTableOfASweep(files_.path("runs", ".csv"), "runs");
-    if (!info_.sweep.fan.empty()) requireTableOfASweep(files_.path("fan", ".csv"), "fan");
-  }
   for (const std::string& notice : kept.notices) notify(notice);
   return kept;
 }
