@@ -59,16 +59,20 @@ void keepFan(const ShardFiles& files, const SweepLedger& written, std::int64_t w
   }
   const RowsRead fan = readRows(path, header, kept.fan_rows, files.shard);
   // of fewer rows than were written nothing is known
-  if (kept.fan_rows == written_rows && fan.digest != written.fan_digest)
-    throw std::runtime_error(path +
-                             ": its rows are not those that were written; somebody has changed "
-                             "the table: remove it, and --resume makes it again");
   if (kept.fan_rows != written_rows) return;
+  requireFan(path, written, fan.digest);
   kept.ledger.fan_digest = fan.digest;
   kept.fan_bytes = fan.bytes;
 }
 
 }  // namespace
+
+void requireFan(const std::string& path, const SweepLedger& ledger, std::uint64_t digest) {
+  if (digest == ledger.fan_digest) return;
+  throw std::runtime_error(path +
+                           ": its rows are not those that were written; somebody has changed the "
+                           "table: remove it, and --resume makes it again");
+}
 
 void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint64_t digest,
                    const RowForm& form) {

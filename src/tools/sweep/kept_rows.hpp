@@ -40,4 +40,7 @@ std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info);
 void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint64_t digest,
                    const RowForm& form);
 
+/// The same for the rows of a fan, by the path of that.
+void requireFan(const std::string& path, const SweepLedger& ledger, std::uint64_t digest);
+
 }  // namespace rigid_body_sim
