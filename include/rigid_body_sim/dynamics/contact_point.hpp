@@ -33,6 +33,10 @@ struct ContactEvent {
 /// Whether a law of the world is one of contact.
 bool hasContact(const World& world);
 
+/// Whether a law of the world begins and ceases to act where its bodies go, as a contact or a
+/// tether does (ForceLaw::isOneSided).
+bool hasOneSidedLaw(const World& world);
+
 /// Everything that touches in a state, law by law in the order of World::laws. Empty for a state
 /// without the states of laws: take one that a simulation gave.
 std::vector<ContactPoint> contactsOf(const World& world, const State& state);

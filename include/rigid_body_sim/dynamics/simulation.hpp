@@ -31,15 +31,18 @@ struct ErrorEstimate {
   double lost_at = std::numeric_limits<double>::infinity();
 };
 
-/// What auto has found before the run of a scene with contact. Impacts magnify errors, so that the
-/// scene is run up to its horizon beside a run whose bounds are 100 times looser. Where the two
+/// What auto has found before the run of a scene with contact or tethers. Impacts and pulls that
+/// begin suddenly magnify errors, so that the scene is run up to its horizon beside a run whose
+/// bounds are 100 times looser. Where the two
 /// part by more than the tolerance, it is tried anew at bounds 100 times tighter, down to 1e-14;
 /// below, rounding decides. Its work is bounded, to tenths of a second; where that ends before a
 /// tenth of the time up to the horizon, the bound stays what it was at first. The two are compared
 /// after every step, and at 32 instants up to the horizon at least. It is done where the scene
 /// states a tolerance.
 struct ContactTrial {
-  double step_bound = 0;  ///< what the error estimate of a step in contact may reach
+  /// What the error estimate of a step in contact may reach; of a step out of contact that is
+  /// divided by estimates, bounds are changed in the same proportion.
+  double step_bound = 0;
   /// [s] Since when the tolerance was exceeded at that bound; infinite where it was not.
   double lost_at = std::numeric_limits<double>::infinity();
   /// [s] Up to when the scene was tried, at that bound or a tighter one; the start where it was
@@ -47,6 +50,9 @@ struct ContactTrial {
   double tried_until = 0;
   bool is_made = false;   ///< whether it was tried
   bool compares = false;  ///< and came so far that the two runs were compared
+  /// Whether bodies came under other forces than those with which their integrators were tried one
+  /// by one at the start. Then such bodies go by error estimates from the start on.
+  bool regroups = false;
 };
 
 /// Advances a world by its fixed time step. Time is step count × step, never accumulated.

@@ -108,8 +108,7 @@ struct State {
   std::vector<MotionAnchor> anchors{};
   std::vector<MotionPlan> plans{};
   std::vector<std::size_t> near_laws{};  ///< indices in World::laws, ascending
-  /// What the error estimate of a step in contact may reach, as ContactTrial::step_bound; 0: chosen
-  /// anew.
+  /// With contacts or tethers: ContactTrial::step_bound; 0: chosen anew.
   double contact_bound = 0;
 };
 

@@ -62,6 +62,11 @@ bool hasContact(const World& world) {
                      [](const auto& law) { return (law->needs() & kContact) != 0; });
 }
 
+bool hasOneSidedLaw(const World& world) {
+  return std::any_of(world.laws.begin(), world.laws.end(),
+                     [](const auto& law) { return law->isOneSided(); });
+}
+
 std::vector<ContactPoint> contactsOf(const World& world, const State& state) {
   std::vector<ContactPoint> contacts;
   if (state.laws.empty()) return contacts;

@@ -22,12 +22,21 @@ constexpr double kLeastShare = 0.1;
 /// Up to the horizon, at least, at which two runs are compared, however long the steps.
 constexpr double kFewestInstants = 32;
 
-/// A run and one beside it at looser bounds, which tells its error.
+/// A run and one beside it, which tells its error. In contact that is one at looser bounds, so that
+/// as much is asked for as of the estimate while it runs. Else it is one at tighter bounds: a step
+/// that errs by less than it may is not divided in either of two runs at looser ones, and they
+/// would agree.
 class TrialPair {
  public:
-  explicit TrialPair(Run run) : run_(std::move(run)), loose_(run_.atLooserBounds()) {
+  explicit TrialPair(Run run)
+      : run_(std::move(run)),
+        has_contact_(!run_.now().laws.contacts().empty()),
+        other_(has_contact_ ? run_.atLooserBounds() : run_.atTighterBounds()) {
     for (std::size_t body = 0; body < world().bodies.size(); ++body)
       paths_.push_back({run_.body(body)});
+    for (const Group& group : run_.now().groups.all())
+      if (group.choice().method && !group.choice().by_estimates)
+        tried_.push_back({group.members(), group.choice().tried_until});
   }
 
   double time() const { return run_.now().time; }
@@ -35,7 +44,7 @@ class TrialPair {
 
   /// To the end of the step, or to a time within it. Throws SimulationDiverged.
   void step(std::optional<double> t) {
-    for (Run* run : {&run_, &loose_}) {
+    for (Run* run : {&run_, &other_}) {
       const double before = run->now().groups.work();
       if (t)
         run->stepPart(*t);
@@ -46,35 +55,58 @@ class TrialPair {
     }
   }
 
+  /// Whether bodies are no longer advanced as was found for them at the start, before the end of
+  /// what was tried then.
+  bool hasRegrouped() const {
+    return std::any_of(tried_.begin(), tried_.end(), [this](const TriedGroup& tried) {
+      const Group& now = run_.now().groups.of(tried.members.front());
+      return time() < tried.until &&
+             (now.members() != tried.members || !now.choice().method || now.choice().by_estimates);
+    });
+  }
+
   /// Steps, and evaluations of a body, so far.
   double work() const { return work_; }
 
-  /// Whether the two are apart by more than the tolerance, now.
+  /// Whether the two are apart by more than is allowed, now.
   bool haveParted() {
+    constexpr double kMargin = 0.5;  // as where a trial chooses an integrator
+    const double allowed = world().solver.tolerance * (has_contact_ ? 1 : kMargin);
     bool parted = false;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       if (!moves(world().bodies[i])) continue;
-      const BodyState fine = run_.body(i), coarse = loose_.body(i);
+      const BodyState fine = run_.body(i), other = other_.body(i);
       paths_[i].goOn(fine);
-      parted |= isBeyond(world().solver.tolerance, angleBetween(fine.q_WP, coarse.q_WP),
-                         distanceBetween(fine, coarse), world().bodies[i], paths_[i]);
+      parted |= isBeyond(allowed, angleBetween(fine.q_WP, other.q_WP), distanceBetween(fine, other),
+                         world().bodies[i], paths_[i]);
     }
     return parted;
   }
 
  private:
-  Run run_, loose_;
+  /// What is advanced as a trial of its own has found.
+  struct TriedGroup {
+    std::vector<std::size_t> members;
+    double until;  // [s]
+  };
+
+  Run run_;
+  bool has_contact_;
+  Run other_;
   std::vector<Path> paths_;  // by body
+  std::vector<TriedGroup> tried_;
   double work_ = 0;
 };
 
-/// Follows a run up to the horizon, until the tolerance is exceeded or the work is done.
-ContactTrial follow(Run run, double bound, double& work) {
+/// Follows a run up to the horizon, until the tolerance is exceeded, the work is done or bodies are
+/// regrouped that should go by estimates then.
+ContactTrial follow(Run run, double& work) {
   const SolverOptions solver = run.now().world->solver;
   const double h = solver.time_step;
   const double parts = std::max(1.0, std::ceil(kFewestInstants * h / solver.horizon));
+  ContactTrial trial = run.contactTrial();
+  trial.is_made = true;
   TrialPair pair(std::move(run));
-  ContactTrial trial{bound, std::numeric_limits<double>::infinity(), pair.time(), true};
   double begin = pair.time();
   try {
     for (double part = 1; pair.time() < solver.horizon && work + pair.work() < kMaxTrialWork;
@@ -88,9 +120,10 @@ ContactTrial follow(Run run, double bound, double& work) {
       }
       trial.tried_until = pair.time();
       trial.compares = true;
-      if (!pair.haveParted()) continue;
-      trial.lost_at = pair.time();
-      break;
+      if (pair.haveParted()) trial.lost_at = pair.time();
+      const bool leaves_trials = !trial.regroups && pair.hasRegrouped();
+      trial.regroups |= leaves_trials;
+      if (std::isfinite(trial.lost_at) || leaves_trials) break;
     }
     work += pair.work();
   } catch (const SimulationDiverged&) {
@@ -105,7 +138,7 @@ ContactTrial follow(Run run, double bound, double& work) {
 bool needsContactTrial(const Run& run) {
   const SolverOptions& solver = run.now().world->solver;
   return solver.integrator == "auto" && solver.tolerance_stated &&
-         !run.now().laws.contacts().empty() && run.now().start->contact_bound == 0 &&
+         !run.now().laws.oneSided().empty() && run.now().start->contact_bound == 0 &&
          run.now().time < solver.horizon;
 }
 
@@ -113,18 +146,23 @@ bool needsContactTrial(const Run& run) {
 ContactTrial tryContact(const Run& run) {
   const double start = run.now().time, horizon = run.now().world->solver.horizon;
   ContactTrial found = run.contactTrial();
-  double bound = found.step_bound;
+  ContactTrial next = found;
   for (double work = 0; work < kMaxTrialWork;) {
     Run tried = run;
     tried.limitContactWork(kMaxTrialWork - work);
-    tried.boundContact({bound});
-    const ContactTrial trial = follow(std::move(tried), bound, work);
+    tried.boundContact(next);
+    const ContactTrial trial = follow(std::move(tried), work);
+    if (trial.regroups && !next.regroups) {
+      found = trial;
+      next.regroups = true;
+      continue;
+    }
     const bool tells_little = trial.tried_until - start < kLeastShare * (horizon - start);
     const bool is_first = std::isinf(found.lost_at);
     if (std::isinf(trial.lost_at) && tells_little && !is_first) break;
     found = trial;
-    if (std::isinf(trial.lost_at) || bound <= kLeastContactBound) break;
-    bound = std::max(bound / kCompanionShare, kLeastContactBound);
+    if (std::isinf(trial.lost_at) || next.step_bound <= kLeastContactBound) break;
+    next.step_bound = std::max(next.step_bound / kCompanionShare, kLeastContactBound);
   }
   return found;
 }

@@ -4,7 +4,7 @@
 
 namespace rigid_body_sim {
 
-/// Whether auto has to find out what a stated tolerance asks of contact in the scene.
+/// Whether auto has to find out what a stated tolerance asks of contacts and tethers of the scene.
 bool needsContactTrial(const Run& run);
 
 /// Runs the scene from the start at ever tighter bounds; see ContactTrial.

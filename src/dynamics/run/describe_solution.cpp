@@ -8,7 +8,7 @@
 
 #include "dynamics/methods/pivots.hpp"
 #include "dynamics/rotation/free_top.hpp"
-#include "dynamics/run/contact_bound.hpp"
+#include "dynamics/run/describe_trial.hpp"
 #include "dynamics/run/magnified_text.hpp"
 #include "dynamics/run/method_choice.hpp"
 #include "dynamics/world_changes.hpp"
@@ -138,37 +138,6 @@ std::string shortfall(const World& world, const MotionPlan& plan) {
   return text.str();
 }
 
-/// What the trial of contact has found, in words; empty where there is nothing to report.
-std::string contactText(const Simulation& simulation) {
-  const SolverOptions& solver = simulation.world().solver;
-  const ContactTrial trial = simulation.contactTrial();
-  std::ostringstream text;
-  if (std::isfinite(trial.lost_at)) {
-    text << "contact: a trial shows that tolerance " << solver.tolerance << " is exceeded by "
-         << trial.lost_at << " s: impacts magnify errors, and "
-         << (trial.step_bound <= kLeastContactBound ? "steps cannot be tighter"
-                                                    : "tighter steps take longer than a trial");
-    return text.str();
-  }
-  if (trial.is_made && !trial.compares) {
-    text << "contact: whether tolerance " << solver.tolerance
-         << " holds is not known: the work of a trial ended before there was anything to compare; "
-            "try a shorter time_step or horizon, or a lower stiffness";
-    return text.str();
-  }
-  const double tighter = contactStepBound(solver.tolerance) / trial.step_bound;
-  if (tighter > 1.5)
-    text << "contact: errors of a step are kept " << tighter << " times smaller than tolerance "
-         << solver.tolerance << " asks for at first, because impacts magnify them";
-  const double horizon_ends = simulation.horizonBegins() + solver.horizon;
-  const bool cut_short = trial.tried_until > simulation.time() && trial.tried_until < horizon_ends;
-  if (cut_short)
-    text << (tighter > 1.5 ? "; " : "contact: ")
-         << "a trial, whose work is bounded, shows tolerance " << solver.tolerance
-         << " to hold up to " << trial.tried_until << " s of " << horizon_ends << " s";
-  return text.str();
-}
-
 /// Of 16 digits half are left where rounding has grown that much.
 constexpr double kDigitsLost = 8;
 
@@ -258,8 +227,8 @@ std::vector<std::string> describeSolution(const Simulation& simulation) {
   }
   std::vector<std::string> lines = linesOf(world, texts);
   lines.insert(lines.end(), shortfalls.begin(), shortfalls.end());
-  const std::string contact = hasContact(world) ? contactText(simulation) : "";
-  if (!contact.empty()) lines.push_back(contact);
+  const std::string trial = describeTrial(simulation);
+  if (!trial.empty()) lines.push_back(trial);
   return lines;
 }
 

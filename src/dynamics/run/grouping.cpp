@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "dynamics/run/contact_bound.hpp"
-
 namespace rigid_body_sim {
 namespace {
 
@@ -155,19 +153,16 @@ void Grouping::disturb(RunState& run, std::size_t body) {
   watches_.wakeUp(run.groups.of(body).members());
 }
 
-void Grouping::formLooser(RunState& loose, const RunState& fine, bool twice_the_step) {
-  planner_.loosen(twice_the_step);
-  watches_ = LawWatches(*loose.world, loose.laws, watches_.near());
-  loose.groups.clear(loose.world->bodies.size());
-  for (const Group& group : fine.groups.all()) {
-    MethodChoice choice = group.choice();
-    if (twice_the_step) choice.max_turn_share *= 2;
-    choice.contact_bound *= kCompanionShare;
+void Grouping::formBeside(RunState& run, const RunState& other, const Beside& beside) {
+  planner_.change(beside);
+  watches_ = LawWatches(*run.world, run.laws, watches_.near());
+  run.groups.clear(run.world->bodies.size());
+  for (const Group& group : other.groups.all()) {
     std::vector<BodyState> states;
-    for (std::size_t body : group.members()) states.push_back(fine.present(body));
-    loose.groups.add(Group(*loose.world, loose.laws, group.bodies(), choice, fine.time,
-                           std::move(states), loose.law_states, loose.schedules),
-                     loose.schedules);
+    for (std::size_t body : group.members()) states.push_back(other.present(body));
+    run.groups.add(Group(*run.world, run.laws, group.bodies(), changedBy(beside, group.choice()),
+                         other.time, std::move(states), run.law_states, run.schedules),
+                   run.schedules);
   }
 }
 

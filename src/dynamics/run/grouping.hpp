@@ -46,9 +46,8 @@ class Grouping {
   /// To be called for a body that no longer moves as the scene predicted, nor do those with it.
   void disturb(RunState& run, std::size_t body);
 
-  /// Forms the groups of a run at looser bounds, `loose`, like those of another; twice_the_step:
-  /// its steps are that long.
-  void formLooser(RunState& loose, const RunState& fine, bool twice_the_step);
+  /// Forms the groups of a run that is compared with another like those of that one.
+  void formBeside(RunState& run, const RunState& other, const Beside& beside);
 
  private:
   void findCandidates(RunState& run, double t_end, bool looks_ahead);

@@ -19,11 +19,22 @@ struct MethodChoice {
   bool cut_short = false;     ///< whether that is before the world's horizon
   bool by_estimates = false;  ///< the integrator's own estimates divide its steps so that the
                               ///< tolerance is held
+  double bound_share = 1;     ///< of what stepBound allows the estimate of a step to be
   double contact_bound = 0;   ///< what the error estimate of a step in contact may reach; 0: as
                               ///< contactStepBound says
   double contact_work = kMaxContactWork;  ///< see maxContactWork
   bool read_once = false;                 ///< of a solved motion: see SolvedProblem
 };
+
+/// How a run differs that is compared with another.
+struct Beside {
+  int steps;             ///< of the other that are one of its own; a substep turns as much further
+  double bound_share;    ///< what MethodChoice::bound_share is multiplied by
+  double contact_share;  ///< what MethodChoice::contact_bound is
+  int least_substeps;    ///< of a step that is divided by error estimates
+};
+
+MethodChoice changedBy(const Beside& beside, const MethodChoice& choice);
 
 /// What follows any motion within the tolerance, at a higher price than what a trial finds: dop853
 /// with steps divided by its error estimates.

@@ -45,12 +45,29 @@ MethodChoice startedAt(double t, const MethodPlanner::Trials::Found& found) {
 MethodPlanner::MethodPlanner(const World& world)
     : method_(world.solver.integrator == "auto" ? nullptr : &methodNamed(world.solver.integrator)),
       watched_(watchedBodies(world)),
-      contact_bound_(contactStepBound(world.solver.tolerance)),
-      contact_work_(maxContactWork(world.solver.time_step)) {}
+      tolerance_(world.solver.tolerance) {
+  bounds_.contact_bound = contactStepBound(tolerance_);
+  bounds_.contact_work = maxContactWork(world.solver.time_step);
+}
 
-void MethodPlanner::loosen(bool twice_the_step) {
-  if (twice_the_step) max_turn_share_ *= 2;
-  contact_bound_ *= kCompanionShare;
+void MethodPlanner::change(const Beside& beside) {
+  bounds_ = changedBy(beside, bounds_);
+  least_substeps_ = beside.least_substeps;
+}
+
+void MethodPlanner::setContactBound(double bound) {
+  bounds_.contact_bound = bound;
+  bounds_.bound_share = bound / contactStepBound(tolerance_);
+}
+
+/// Whatever the bounds were when it was found.
+MethodChoice MethodPlanner::bounded(MethodChoice choice) const {
+  choice.max_turn_share = bounds_.max_turn_share;
+  choice.bound_share = bounds_.bound_share;
+  choice.contact_bound = bounds_.contact_bound;
+  choice.contact_work = bounds_.contact_work;
+  if (choice.by_estimates) choice.substeps = std::max(choice.substeps, least_substeps_);
+  return choice;
 }
 
 /// A body under held wrenches, by itself or, where it is on no pivot, in a medium.
@@ -63,6 +80,11 @@ bool MethodPlanner::isSolved(const World& world, const CoupledBodies& group, uns
          !schedule.actuators() && schedule.allHeld() &&
          std::all_of(group.laws.begin(), group.laws.end(),
                      [&world](std::size_t law) { return world.laws[law]->isOfMedium(); });
+}
+
+bool MethodPlanner::isWatched(const CoupledBodies& group) const {
+  return std::any_of(group.members.begin(), group.members.end(),
+                     [this](std::size_t body) { return watched_[body]; });
 }
 
 void MethodPlanner::requireSupport(unsigned needs, const std::string& body) const {
@@ -79,17 +101,16 @@ MethodChoice MethodPlanner::atStart(const World& world, const LawTable& laws,
   const unsigned needs = needsOf(world, group, start.schedules);
   if (method_ || isSolved(world, group, needs, start.schedules))
     return later(world, group, start.schedules);
-  if (needs & kContact) return later(world, group, start.schedules);
+  if (needs & kContact || (regroups_ && isWatched(group)))
+    return later(world, group, start.schedules);
   auto& found =
       scheduled && isScheduled(world, group, start.schedules) ? trials_.with : trials_.without;
   if (const auto known = found.find(group.members); known != found.end())
-    return scheduled ? known->second.choice : startedAt(start.t, known->second);
+    return bounded(scheduled ? known->second.choice : startedAt(start.t, known->second));
   const double share = std::min(1.0, kFullTrials / static_cast<double>(trials));
-  MethodChoice choice = chooseMethod(world, laws, group, start, share * kMaxTrialSteps);
-  choice.max_turn_share = max_turn_share_;
-  choice.contact_bound = contact_bound_;
+  const MethodChoice choice = chooseMethod(world, laws, group, start, share * kMaxTrialSteps);
   found[group.members] = {start.t, choice};
-  return choice;
+  return bounded(choice);
 }
 
 MethodChoice MethodPlanner::later(const World& world, const CoupledBodies& group,
@@ -102,10 +123,7 @@ MethodChoice MethodPlanner::later(const World& world, const CoupledBodies& group
   } else if (!isSolved(world, group, needs, schedules)) {
     choice = errorControlled();
   }
-  choice.max_turn_share = max_turn_share_;
-  choice.contact_bound = contact_bound_;
-  choice.contact_work = contact_work_;
-  return choice;
+  return bounded(choice);
 }
 
 bool MethodPlanner::fits(const std::vector<MotionPlan>& plans) const {
@@ -131,15 +149,12 @@ MethodChoice MethodPlanner::asPlanned(const World& world, const CoupledBodies& g
   if (!plan.integrator.empty()) {
     const Method& method = methodNamed(plan.integrator);
     rigid_body_sim::requireSupport(method, needs, body);
-    return {&method,          plan.substeps,  plan.error,        max_turn_share_, plan.holds,
-            plan.tried_until, plan.cut_short, plan.by_estimates, contact_bound_,  contact_work_};
+    return bounded({&method, plan.substeps, plan.error, 1, plan.holds, plan.tried_until,
+                    plan.cut_short, plan.by_estimates});
   }
   if (!isSolved(world, group, needs, schedules))
     throw std::invalid_argument("body '" + body + "': its motion cannot be solved with what acts");
-  MethodChoice solved;
-  solved.max_turn_share = max_turn_share_;
-  solved.contact_bound = contact_bound_;
-  return solved;
+  return bounded({});
 }
 
 MotionPlan toPlan(const Group& group) {

@@ -29,17 +29,20 @@ class MethodPlanner {
   /// Throws std::invalid_argument for an integrator that is unknown.
   explicit MethodPlanner(const World& world);
 
-  /// In a run that estimates errors, a substep may err by more in contact, and, at twice the step,
-  /// turn twice as far.
-  void loosen(bool twice_the_step);
+  /// For a run that is compared with another.
+  void change(const Beside& beside);
 
   /// What the error estimate of a step in contact may reach.
-  double contactBound() const { return contact_bound_; }
-  void setContactBound(double bound) { contact_bound_ = bound; }
+  double contactBound() const { return bounds_.contact_bound; }
+  /// Steps that are divided by error estimates out of contact are bounded in the same proportion.
+  void setContactBound(double bound);
+
+  /// See ContactTrial::regroups.
+  void setRegroups(bool regroups) { regroups_ = regroups; }
 
   /// See maxContactWork.
-  double contactWork() const { return contact_work_; }
-  void setContactWork(double work) { contact_work_ = work; }
+  double contactWork() const { return bounds_.contact_work; }
+  void setContactWork(double work) { bounds_.contact_work = work; }
 
   /// Throws std::invalid_argument, naming the body, where the integrator does not support what the
   /// group needs.
@@ -74,12 +77,15 @@ class MethodPlanner {
  private:
   bool isSolved(const World& world, const CoupledBodies& group, unsigned needs,
                 const std::vector<WrenchSchedule>& schedules) const;
+  MethodChoice bounded(MethodChoice choice) const;
+  bool isWatched(const CoupledBodies& group) const;
 
   const Method* method_;       // null: auto
   std::vector<bool> watched_;  // body by body: its motion in a medium may not be solved
-  double max_turn_share_ = 1;
-  double contact_bound_;
-  double contact_work_;
+  double tolerance_;
+  MethodChoice bounds_;     // for every choice
+  int least_substeps_ = 1;  // of a step that is divided by error estimates
+  bool regroups_ = false;
   Trials trials_;
 };
 

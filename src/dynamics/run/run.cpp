@@ -38,20 +38,23 @@ ContactTrial Run::contactTrial() const {
   return trial;
 }
 
-Run Run::atTwiceTheStep() const { return loosened(true); }
-Run Run::atLooserBounds() const { return loosened(false); }
+Run Run::atTwiceTheStep() const { return beside({2, 1, kCompanionShare, 1}); }
+Run Run::atLooserBounds() const { return beside({1, kCompanionShare, kCompanionShare, 1}); }
+Run Run::atTighterBounds() const {
+  return beside({1, 1 / kCompanionShare, 1 / kCompanionShare, 2});
+}
 
-Run Run::loosened(bool twice_the_step) const {
-  Run loose = *this;
+Run Run::beside(const Beside& other) const {
+  Run run = *this;
   World world = *now_.world;
-  if (twice_the_step) world.solver.time_step *= 2;
+  world.solver.time_step *= other.steps;
   world.solver.tolerance_stated = false;
-  loose.now_.world = std::make_shared<const World>(std::move(world));
-  if (twice_the_step) loose.now_.steps = now_.steps / 2;
-  loose.now_.law_states = now_.lawStates();
-  loose.grouping_.formLooser(loose.now_, now_, twice_the_step);
-  loose.now_.beginPacks();
-  return loose;
+  run.now_.world = std::make_shared<const World>(std::move(world));
+  run.now_.steps = now_.steps / other.steps;
+  run.now_.law_states = now_.lawStates();
+  run.grouping_.formBeside(run.now_, now_, other);
+  run.now_.beginPacks();
+  return run;
 }
 
 /// Makes anew what goes by the bodies of the world, where these are to be others.
@@ -88,6 +91,7 @@ void Run::place(const State& start, bool scheduled) {
   if (start.laws.empty()) contacts_.start(now_, now_.laws.oneSided(), start.bodies);
   grouping_.planner().setContactBound(start.contact_bound > 0 ? start.contact_bound
                                                               : contact_trial_.step_bound);
+  grouping_.planner().setRegroups(contact_trial_.regroups);
   grouping_.form(now_, start, scheduled);
   now_.beginPacks();
 }

@@ -29,6 +29,10 @@ class Run {
   /// to compare with.
   Run atLooserBounds() const;
 
+  /// The same run, in which steps that are divided by error estimates may err by less and are at
+  /// most half as long, to compare with.
+  Run atTighterBounds() const;
+
   /// Begins anew at the start, with steps in contact bounded so.
   void boundContact(const ContactTrial& trial);
 
@@ -108,7 +112,7 @@ class Run {
   void enter(const std::vector<BodyChange>& changes);
   void place(const State& start, bool scheduled);
   void goOnAs(Run& changed, const State& state);
-  Run loosened(bool twice_the_step) const;
+  Run beside(const Beside& other) const;
   void advance(ExchangeMeter* meter);
   void advanceGroups(double t_end, ExchangeMeter* meter);
   std::vector<std::size_t> acceptGroups(double t_end);

@@ -68,7 +68,7 @@ State Run::state() const {
   state.schedules = scheduleEntries();
   const std::set<std::size_t>& near = grouping_.watches().near();
   state.near_laws.assign(near.begin(), near.end());
-  if (!now_.laws.contacts().empty()) state.contact_bound = grouping_.planner().contactBound();
+  if (!now_.laws.oneSided().empty()) state.contact_bound = grouping_.planner().contactBound();
   state.anchors.resize(now_.world->bodies.size());
   for (std::size_t g = 0; g < now_.groups.size(); ++g) {
     const Group& group = now_.groups[g];

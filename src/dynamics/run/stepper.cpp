@@ -17,10 +17,20 @@ MethodChoice errorControlled() {
   return choice;
 }
 
+MethodChoice changedBy(const Beside& beside, const MethodChoice& choice) {
+  MethodChoice changed = choice;
+  changed.max_turn_share *= beside.steps;
+  changed.bound_share *= beside.bound_share;
+  changed.contact_bound *= beside.contact_share;
+  if (changed.by_estimates) changed.substeps = std::max(changed.substeps, beside.least_substeps);
+  return changed;
+}
+
 void Stepper::fallBackToErrorControl() {
   if (choice_.by_estimates || std::isinf(choice_.tried_until)) return;
   MethodChoice controlled = errorControlled();
   controlled.max_turn_share = choice_.max_turn_share;
+  controlled.bound_share = choice_.bound_share;
   controlled.holds = choice_.holds;
   controlled.contact_bound = choice_.contact_bound;
   controlled.contact_work = choice_.contact_work;
@@ -117,10 +127,10 @@ StepBound Stepper::stepBound(double h, double rate) const {
   constexpr double kRounding = 1e-14;  // some ten roundings of a step that turns by a radian
   const double share = h / tolerance_.horizon, turned = std::max(1.0, rate * tolerance_.horizon);
   const double doubled = std::pow(choice_.max_turn_share, 8);
+  const double allowed = tolerance_.attitude * share * choice_.bound_share * doubled;
   const StepBound follows;
-  return {std::clamp(tolerance_.attitude * share / turned * doubled, kRounding, follows.error),
-          std::min(tolerance_.attitude * share * share * doubled / choice_.max_turn_share,
-                   follows.idle)};
+  return {std::clamp(allowed / turned, kRounding, follows.error),
+          std::min(allowed * share / choice_.max_turn_share, follows.idle)};
 }
 
 /// [1/s²] Over the step, the rate of Claim kFeedsLeastAxis, of the body where it is greatest.

@@ -164,8 +164,10 @@ void run(const SimulateOptions& options) {
   job.openOutputs();
   if (!job.record) describe(job);
 
-  // contacts magnify errors, so that no choice of steps can promise the tolerance beforehand
-  if (job.world.solver.integrator == "auto" && hasContact(job.world)) job.simulation.trackError();
+  // forces that begin and end magnify errors, so that no choice of steps can promise the tolerance
+  // beforehand
+  if (job.world.solver.integrator == "auto" && hasOneSidedLaw(job.world))
+    job.simulation.trackError();
   const auto begin = std::chrono::steady_clock::now();
   const State last = simulateOrReport(job, watch);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;

@@ -28,8 +28,8 @@ ErrorReport errorReport(const Simulation& run, double end) {
   const ContactTrial trial = run.contactTrial();
   const std::vector<MotionPlan> plans = run.plans();
   const double lost_at = std::isfinite(error.lost_at) ? error.lost_at : trial.lost_at;
-  // without contact the steps were tried beforehand, and plans say whether they hold
-  if (is_auto && hasContact(run.world()) && lost_at <= end)
+  // without contact and tethers the steps were tried beforehand, and plans say whether they hold
+  if (is_auto && hasOneSidedLaw(run.world()) && lost_at <= end)
     report.doubt = "from " + shortest(lost_at) + " s on, tolerance " + shortest(solver.tolerance) +
                    " is not certain to be held: runs at other bounds of their steps differ by more";
   else if (is_auto && std::any_of(plans.begin(), plans.end(),
