@@ -22,16 +22,19 @@ constexpr double kLeastShare = 0.1;
 /// Up to the horizon, at least, at which two runs are compared, however long the steps.
 constexpr double kFewestInstants = 32;
 
-/// A run and one beside it, which tells its error. In contact that is one at looser bounds, so that
-/// as much is asked for as of the estimate while it runs. Else it is one at tighter bounds: a step
-/// that errs by less than it may is not divided in either of two runs at looser ones, and they
-/// would agree.
-class TrialPair {
+/// A run and others beside it, which tell its error. In contact that is one at looser bounds, so
+/// that as much is asked for as of the estimate while it runs. Where other forces are integrated it
+/// is one at tighter bounds: of two runs at looser ones, neither divides a step that errs by less
+/// than its bound, and they agree.
+class ComparedRun {
  public:
-  explicit TrialPair(Run run)
-      : run_(std::move(run)),
-        has_contact_(!run_.now().laws.contacts().empty()),
-        other_(has_contact_ ? run_.atLooserBounds() : run_.atTighterBounds()) {
+  explicit ComparedRun(Run run) : run_(std::move(run)) {
+    constexpr double kMargin = 0.5;  // as where a trial chooses an integrator
+    const double tolerance = world().solver.tolerance;
+    const std::size_t contacts = run_.now().laws.contacts().size();
+    if (contacts > 0) others_.push_back({run_.atLooserBounds(), tolerance});
+    if (world().laws.size() > contacts)
+      others_.push_back({run_.atTighterBounds(), kMargin * tolerance});
     for (std::size_t body = 0; body < world().bodies.size(); ++body)
       paths_.push_back({run_.body(body)});
     for (const Group& group : run_.now().groups.all())
@@ -44,55 +47,63 @@ class TrialPair {
 
   /// To the end of the step, or to a time within it. Throws SimulationDiverged.
   void step(std::optional<double> t) {
-    for (Run* run : {&run_, &other_}) {
-      const double before = run->now().groups.work();
-      if (t)
-        run->stepPart(*t);
-      else
-        run->step();
-      const Groups& groups = run->now().groups;
-      work_ += static_cast<double>(groups.size()) + groups.work() - before;
-    }
+    step(run_, t);
+    for (Companion& other : others_) step(other.run, t);
   }
 
   /// Whether bodies are no longer advanced as was found for them at the start, before the end of
   /// what was tried then.
   bool hasRegrouped() const {
-    return std::any_of(tried_.begin(), tried_.end(), [this](const TriedGroup& tried) {
-      const Group& now = run_.now().groups.of(tried.members.front());
-      return time() < tried.until &&
-             (now.members() != tried.members || !now.choice().method || now.choice().by_estimates);
+    return std::any_of(tried_.begin(), tried_.end(), [this](const TriedGroup& group) {
+      const Group& now = run_.now().groups.of(group.members.front());
+      return time() < group.until &&
+             (now.members() != group.members || !now.choice().method || now.choice().by_estimates);
     });
   }
 
   /// Steps, and evaluations of a body, so far.
   double work() const { return work_; }
 
-  /// Whether the two are apart by more than is allowed, now.
+  /// Whether any two are apart by more than is allowed, now.
   bool haveParted() {
-    constexpr double kMargin = 0.5;  // as where a trial chooses an integrator
-    const double allowed = world().solver.tolerance * (has_contact_ ? 1 : kMargin);
     bool parted = false;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       if (!moves(world().bodies[i])) continue;
-      const BodyState fine = run_.body(i), other = other_.body(i);
-      paths_[i].goOn(fine);
-      parted |= isBeyond(allowed, angleBetween(fine.q_WP, other.q_WP), distanceBetween(fine, other),
-                         world().bodies[i], paths_[i]);
+      const BodyState state = run_.body(i);
+      paths_[i].goOn(state);
+      for (const Companion& companion : others_) {
+        const BodyState other = companion.run.body(i);
+        parted |= isBeyond(companion.allowed, angleBetween(state.q_WP, other.q_WP),
+                           distanceBetween(state, other), world().bodies[i], paths_[i]);
+      }
     }
     return parted;
   }
 
  private:
+  void step(Run& run, std::optional<double> t) {
+    const double before = run.now().groups.work();
+    if (t)
+      run.stepPart(*t);
+    else
+      run.step();
+    const Groups& groups = run.now().groups;
+    work_ += static_cast<double>(groups.size()) + groups.work() - before;
+  }
+
   /// What is advanced as a trial of its own has found.
   struct TriedGroup {
     std::vector<std::size_t> members;
     double until;  // [s]
   };
 
+  struct Companion {
+    Run run;
+    double allowed;  // how far apart they may come, as a tolerance
+  };
+
   Run run_;
-  bool has_contact_;
-  Run other_;
+  std::vector<Companion> others_;
   std::vector<Path> paths_;  // by body
   std::vector<TriedGroup> tried_;
   double work_ = 0;
@@ -106,26 +117,26 @@ ContactTrial follow(Run run, double& work) {
   const double parts = std::max(1.0, std::ceil(kFewestInstants * h / solver.horizon));
   ContactTrial trial = run.contactTrial();
   trial.is_made = true;
-  TrialPair pair(std::move(run));
-  double begin = pair.time();
+  ComparedRun compared(std::move(run));
+  double begin = compared.time();
   try {
-    for (double part = 1; pair.time() < solver.horizon && work + pair.work() < kMaxTrialWork;
-         ++part) {
+    for (double part = 1;
+         compared.time() < solver.horizon && work + compared.work() < kMaxTrialWork; ++part) {
       if (part < parts) {
-        pair.step(begin + h * part / parts);
+        compared.step(begin + h * part / parts);
       } else {
-        pair.step(std::nullopt);
-        begin = pair.time();
+        compared.step(std::nullopt);
+        begin = compared.time();
         part = 0;
       }
-      trial.tried_until = pair.time();
+      trial.tried_until = compared.time();
       trial.compares = true;
-      if (pair.haveParted()) trial.lost_at = pair.time();
-      const bool leaves_trials = !trial.regroups && pair.hasRegrouped();
+      if (compared.haveParted()) trial.lost_at = compared.time();
+      const bool leaves_trials = !trial.regroups && compared.hasRegrouped();
       trial.regroups |= leaves_trials;
       if (std::isfinite(trial.lost_at) || leaves_trials) break;
     }
-    work += pair.work();
+    work += compared.work();
   } catch (const SimulationDiverged&) {
     // so will the run itself, and say so; or a step takes more work than there is
     work = kMaxTrialWork;

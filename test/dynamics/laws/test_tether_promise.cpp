@@ -9,7 +9,7 @@
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/dynamics/tether.hpp>
 
-#include "dynamics/run/contact_bound.hpp"
+#include "support/contact_benches.hpp"
 #include "support/reference_bench.hpp"
 #include "support/same_state.hpp"
 
@@ -153,6 +153,18 @@ TEST(TetherPromise, IsKeptWhereSuddenPullsMagnifyErrors) {
     EXPECT_GT(expectHeldBeside(sims, flungBox(1, starts_slack), starts_slack ? "slack" : "taut"),
               10);
   }
+}
+
+// What is not in contact must be tried as it is without.
+TEST(TetherPromise, IsKeptInASceneWithContact) {
+  Bench bench = flungBox(1e-4, false);
+  HalfSpace far_below;
+  far_below.origin_W = {0, 0, -1e3};
+  bench.world.laws.push_back(contactWithHalfSpace(bench.world.bodies, 0, test::ballShape(0.1),
+                                                  far_below, test::contactOf(1e6, 1.5, 0.2, 0)));
+  std::vector<Simulation> sims{bench.simulation("auto", kStep)};
+  EXPECT_LT(sims[0].contactTrial().step_bound, 0.1 * contactStepBound(1e-4));
+  expectHeldBeside(sims, bench, "above a ground");
 }
 
 TEST(TetherPromise, IsSaidNotToBeCertainWhereNoStepHoldsIt) {
