@@ -147,6 +147,7 @@ TEST(TetherPromise, IsKeptWhereSuddenPullsMagnifyErrors) {
       sims.push_back(flungBox(tolerance, starts_slack).simulation("auto", kStep));
       EXPECT_TRUE(std::isinf(sims.back().contactTrial().lost_at)) << tolerance;
       EXPECT_LT(sims.back().contactTrial().step_bound, 0.1 * contactStepBound(tolerance));
+      EXPECT_EQ(sims.back().plans()[0].by_estimates, !starts_slack);
       EXPECT_NE(describeSolution(sims.back()).back().find("tether: errors of a step are kept"),
                 std::string::npos);
     }
