@@ -14,10 +14,13 @@ bool solvedToRounding(const Run& run, const Group& group) {
 
 /// By how much the difference of the two runs exceeds the error of the finer one. In contact, both
 /// follow their own error estimates, and differences grow from impact to impact: theirs is the
-/// estimate.
+/// estimate. A body that is solved between two pulls of a tether keeps the errors of the integrator
+/// that followed the first.
 double excessOf(const Run& run, const Group& group) {
+  const LawTable& laws = run.now().laws;
   const Method* method = group.choice().method;
-  return method && run.now().laws.contacts().empty() ? std::exp2(method->order) - 1 : 1;
+  if (!laws.contacts().empty() || (!method && laws.oneSided().empty())) return 1;
+  return std::exp2((method ? method : errorControlled().method)->order) - 1;
 }
 
 }  // namespace
