@@ -9,6 +9,7 @@
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 #include <rigid_body_sim/dynamics/tether.hpp>
 
+#include "dynamics/run/run.hpp"
 #include "support/contact_benches.hpp"
 #include "support/reference_bench.hpp"
 #include "support/same_state.hpp"
@@ -180,6 +181,28 @@ TEST(TetherPromise, GoesOnFromAStateWithTheSameBits) {
   const Simulation sim = flungBox(1e-4, false).simulation("auto", kStep);
   EXPECT_FALSE(Simulation(sim.world(), sim.state()).contactTrial().is_made);
   test::expectToGoOnTheSame(sim, {20, 30, 50, 40});
+}
+
+// Steps that err by less than they may are not divided: looser bounds would change none of them.
+TEST(TetherPromise, IsTriedBesideARunThatErrsByFarLess) {
+  Bench bench = flungBox(1e-2, false);
+  bench.world.solver.integrator = "auto";
+  bench.world.solver.time_step = kStep;
+  rigid_body_sim::Run run(std::make_shared<const World>(bench.world),
+                          std::make_shared<const State>(bench.initial));
+  ContactTrial by_estimates = run.contactTrial();
+  by_estimates.regroups = true;
+  run.boundContact(by_estimates);
+  rigid_body_sim::Run beside = run.atTighterBounds();
+  TetherReference truth(bench);
+  for (int k = 0; k < 25; ++k) {
+    run.step();
+    beside.step();
+  }
+  truth.goOn(Real(0.25L));
+  const double error = test::motionErrors(run.state(), truth.motions()).attitude;
+  EXPECT_GT(error, 1e-8);
+  EXPECT_LT(test::motionErrors(beside.state(), truth.motions()).attitude, error / 50);
 }
 
 // Where a tether stays taut, what was tried at the start is what comes, and it is cheaper.
