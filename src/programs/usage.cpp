@@ -13,6 +13,28 @@
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+constexpr int kHelp = 'h';
+constexpr int kFirstLong = 256;  // code of the first long option, beyond all characters
+
+/// Why an option is refused: getopt_long has left its letter in `code`, of a long one that takes no
+/// value its code, and 0 of a long one that is unknown or short for several.
+std::string refusedOption(const std::string& argument, const std::vector<option>& known, int code) {
+  if (code > 0 && code < kFirstLong)
+    return std::string("unknown option -") + static_cast<char>(code);
+  const std::string given = argument.substr(2, argument.find('=') - 2);
+  std::string longer;
+  for (const option* of = known.data(); of->name; ++of) {
+    if (of->val == code) return "--" + std::string(of->name) + " takes no value";
+    if (std::string(of->name).rfind(given, 0) == 0)
+      longer += (longer.empty() ? "--" : ", --") + std::string(of->name);
+  }
+  if (longer.empty()) return "unknown option " + argument;
+  return "option --" + given + " is short for several, " + longer + ": write one in full";
+}
+
+}  // namespace
 
 bool asksForHelp(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const std::string& argument) {
@@ -74,28 +96,27 @@ std::optional<std::vector<std::string>> readCommandLine(int argc, char** argv,
                                                         const OptionActions& actions,
                                                         const std::string& files, int count,
                                                         const Flags& flags) {
-  constexpr int kValue = 1, kFlag = 2, kHelp = 'h';
   std::vector<option> known;
-  for (const auto& [name, action] : actions)
-    known.push_back({name.c_str(), required_argument, nullptr, kValue});
-  for (const auto& [name, flag] : flags)
-    known.push_back({name.c_str(), no_argument, nullptr, kFlag});
-  known.push_back({"help", no_argument, nullptr, kHelp});
+  const auto add = [&](const char* name, int argument) {
+    known.push_back({name, argument, nullptr, kFirstLong + static_cast<int>(known.size())});
+  };
+  for (const auto& [name, action] : actions) add(name.c_str(), required_argument);
+  for (const auto& [name, flag] : flags) add(name.c_str(), no_argument);
+  add("help", no_argument);
   known.push_back({nullptr, 0, nullptr, 0});
 
   opterr = 0;  // the messages below are ours
-  int index = 0;
-  for (int code; (code = getopt_long(argc, argv, ":h", known.data(), &index)) != -1;) {
-    if (code == kHelp) return std::nullopt;
-    if (code == kFlag) {
-      *flags.at(known[static_cast<std::size_t>(index)].name) = true;
-      continue;
-    }
+  for (int code; (code = getopt_long(argc, argv, ":h", known.data(), nullptr)) != -1;) {
     if (code == ':') throw UsageError(std::string(argv[optind - 1]) + " needs a value");
-    if (code != kValue)
-      throw UsageError("unknown option " + (optopt ? std::string("-") + static_cast<char>(optopt)
-                                                   : std::string(argv[optind - 1])));
-    actions.at(known[static_cast<std::size_t>(index)].name)(optarg);
+    if (code == '?') throw UsageError(refusedOption(argv[optind - 1], known, optopt));
+    const std::string name =
+        code == kHelp ? "help" : known[static_cast<std::size_t>(code - kFirstLong)].name;
+    if (name == "help") return std::nullopt;
+    const auto flag = flags.find(name);
+    if (flag != flags.end())
+      *flag->second = true;
+    else
+      actions.at(name)(optarg);
   }
   if (count == kAtLeastOne ? optind == argc : optind + count != argc)
     throw UsageError(files + " needed, got " + std::to_string(argc - optind));

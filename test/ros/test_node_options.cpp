@@ -158,9 +158,10 @@ TEST(NodeOptions, RefuseALockstepThatLacksAPart) {
   EXPECT_EQ(refusalOf("lockstep_period", 0.1),
             "parameter ~lockstep_period: must be 0 unless ~lockstep names topics: nothing would be "
             "waited for, got '0.1'");
-  EXPECT_EQ(refusalOf("lockstep", "3 boxes"),
-            "parameter ~lockstep: must be names of topics, as a list or parted by commas, got '3 "
-            "boxes'");
+  EXPECT_EQ(
+      refusalOf("lockstep", "3 boxes"),
+      "parameter ~lockstep: must be names of topics, as a list or separated by commas, got '3 "
+      "boxes'");
   EXPECT_EQ(refusalOf("lockstep_timeout", -1),
             "parameter ~lockstep_timeout: must be a finite number >= 0, got '-1'");
 }

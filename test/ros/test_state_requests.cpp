@@ -133,7 +133,7 @@ TEST_F(StateRequests, RefuseNumbersThatAreNotFinite) {
 TEST_F(StateRequests, RefuseBodiesAndAxesThatAreNotKnown) {
   SetState::Request r = request("map");
   r.body = "bxo";
-  EXPECT_EQ(fault(r), "unknown body 'bxo'");
+  EXPECT_EQ(fault(r), "unknown body 'bxo' (known: box, other, post)");
   r.body = "post";
   EXPECT_EQ(fault(r), "body 'post' is fixed");
   const std::string refusal =

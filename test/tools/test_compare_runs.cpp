@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -118,7 +119,7 @@ TEST_F(CompareRuns, TakesTheLastOfSeveralRunsInABag) {
   const test::Outcome run = compare(two + " " + record("one.bag", {{1, 5}, {2, 8}}));
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.out, "compare_runs: notice: " + two +
-                         ": holds several runs, parted by resets or loads, of which the last is "
+                         ": holds several runs, separated by resets or loads, of which the last is "
                          "compared\nbox: 2 instants in both, 0 in one only: the same bits\n");
 }
 
@@ -152,7 +153,9 @@ TEST_F(CompareRuns, RefusesWhatCannotBeCompared) {
           "a bag and a CSV file cannot be compared: their velocities have other axes "
           "(compare_runs --help)");
   refused(a, 2, "exactly two files are needed, got 1 (compare_runs --help)");
-  refused(a + " no.csv", 1, "no.csv: No such file or directory");
+  refused(a + " no.csv", 1,
+          "no.csv: cannot be opened: No such file or directory (looked for in " +
+              std::filesystem::current_path().string() + ")");
   const std::string broken =
       files.written("broken.csv",
                     "time,body,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n0,box,0,nan,0,0,0,0,1,0,0,0,"

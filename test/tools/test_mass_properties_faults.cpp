@@ -74,8 +74,8 @@ TEST_F(MassPropertiesProgram, TellsThatItTurnedAMeshAround) {
 TEST_F(MassPropertiesProgram, SaysWhatIsWrongWithItsInput) {
   const std::string text = files_.written("a.txt", "x");
   expectFailure(text, 1, text + ":1: a mapping is expected, got x");
-  expectFailure("no.stl", 1, "no.stl: mesh file does not exist");
   const std::string here = " (looked for in " + std::filesystem::current_path().string() + ")";
+  expectFailure("no.stl", 1, "no.stl: mesh file does not exist" + here);
   expectFailure("no.yaml", 1, "no.yaml: cannot be opened: No such file or directory" + here);
   expectFailure("no.urdf", 1, "no.urdf: cannot be opened: No such file or directory" + here);
   const std::string scene = files_.written("s.yaml", "time_step: 1\nbodies: []\n");

@@ -196,7 +196,8 @@ TEST_F(Plot, RefusesWhatItCannotReadOrWrite) {
           good + ": another file of the same kind is given, too: plot one run at a time");
   refuses(files.path("."), 1,
           files.path(".") + ": is a directory; plot takes the files in it, by their names");
-  refuses(files.path("no.csv"), 1, files.path("no.csv") + ": No such file or directory");
+  refuses(files.path("no.csv"), 1,
+          files.path("no.csv") + ": cannot be opened: No such file or directory");
   refuses("", 2, "at least one file is needed, got 0 (plot --help)");
   refuses(good + " --out " + good + "/x", 1, good + "/x: cannot be created: Not a directory");
   std::filesystem::create_directories(files.path("d/position.svg"));

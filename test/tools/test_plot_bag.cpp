@@ -139,7 +139,7 @@ TEST_P(PlotBagOfRuns, IsReadFromTheLastOn) {
   odom("box", 1), odom("top", 1);
   const RunData run = read();
   EXPECT_EQ(run.notices,
-            std::vector<std::string>{path + ": holds several runs, parted by resets or "
+            std::vector<std::string>{path + ": holds several runs, separated by resets or "
                                             "loads, of which the last is drawn"});
   ASSERT_EQ(run.motion.all().size(), 2U);
   for (const BodySamples<13>& body : run.motion.all())

@@ -231,6 +231,18 @@ TEST(Simulate, ExitsWithTwoForWrongUsage) {
             "(simulate --help)\n");
 }
 
+TEST(Simulate, TakesShortOptionsOnlyWhereTheyAreShortForOne) {
+  const std::string scene = scenePath("free_space.yaml");
+  EXPECT_EQ(simulate(scene + " --dur 0.01 2>&1").exit_code, 0);
+  EXPECT_EQ(simulate(scene + " --t 3 2>&1").out,
+            "simulate: option --t is short for several, --threads, --time-step, --tolerance: write "
+            "one in full (simulate --help)\n");
+  EXPECT_EQ(simulate(scene + " --help=3 2>&1").out,
+            "simulate: --help takes no value (simulate --help)\n");
+  EXPECT_EQ(simulate(scene + " --duration=1 -xyz 2>&1").out,
+            "simulate: unknown option -x (simulate --help)\n");
+}
+
 TEST(Simulate, ExitsWithThreeWhenTheSimulationDiverges) {
   const std::string scene = sceneFile(R"(
 time_step: 1.0

@@ -91,7 +91,8 @@ TEST_F(SimulateBags, BagThatCannotBeUsedIsRefusedInOneLine) {
   }
   directory.written("text.bag", "no bag");
   const std::map<std::string, std::string> refusals{
-      {"--wrench-bag " + path("absent.bag"), "absent.bag: Error opening file"},
+      {"--wrench-bag " + path("absent.bag"),
+       "absent.bag: cannot be opened: No such file or directory"},
       {"--wrench-bag " + path("text.bag"), "text.bag: "},
       {"--wrench-bag " + path("empty.bag"),
        "empty.bag: holds no wrench and no command for a body of the scene"},
@@ -183,7 +184,7 @@ TEST_F(SimulateBags, SaysThatTheLengthOfARunAfterAResetIsNotKnown) {
     clear.run = 1;
     bag.write("/rigid_body_node/inputs", ros::Time(2), clear);
   }
-  const std::string notice = "later.bag: holds several runs, parted by resets or loads, ";
+  const std::string notice = "later.bag: holds several runs, separated by resets or loads, ";
   ASSERT_EQ(simulate(scene() + " --wrench-bag " + path("later.bag")), 0) << said;
   EXPECT_NE(said.find(notice), std::string::npos) << said;
   ASSERT_EQ(simulate(scene() + " --duration 0.1 --wrench-bag " + path("later.bag")), 0) << said;

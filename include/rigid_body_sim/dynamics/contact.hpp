@@ -66,9 +66,9 @@ double dissipationForRestitution(double restitution, double approach_speed);
 ///   N = k δᵖ max(0, 1 + d δ')                                 (Hunt & Crossley, 1975)
 /// acts along n. Against the velocity v_t along the plane of the body's material there, a spring
 /// and a damper in parallel act in series with a Coulomb slider; with s their stretch,
-///   q = k_t s + c_t v_t,   force −q,          s' = v_t                    while |q| <= μ N: it
-///   sticks
-///                          force −μ N q/|q|,  s' = v_t − (1 − μ N/|q|) q/c_t      else: it slips
+///   q = k_t s + c_t v_t
+///   sticks while |q| <= μ N:   force −q,          s' = v_t
+///   slips otherwise:           force −μ N q/|q|,  s' = v_t − (1 − μ N/|q|) q/c_t
 ///   k_t = μ m g₀/b,   c_t = 0.4 √(k_t m),   g₀ = 9.80665 m/s²
 /// so that the spring yields by b under the body's weight on Earth before it slips. s starts from
 /// zero at each touch. Rolling friction is the same element on the turning about the axes of the

@@ -15,7 +15,7 @@ namespace rigid_body_sim {
 /// Of more than 40 bodies, neighbours with the same line share it:
 ///   b0 to b99 (100 bodies): gravity, spherical, exact
 /// Of the wrenches, those that the world schedules. Further lines say where auto found no
-/// integrator to hold the tolerance.
+/// integrator to hold the tolerance, and what a trial of contact has found.
 std::vector<std::string> describeSolution(const Simulation& simulation);
 
 /// Says that steps were divided into more substeps than planned, and into how many, and of a named

@@ -86,7 +86,7 @@ class Simulation {
 
   /// How often the world has become another since the start: its references are to be taken anew.
   std::size_t worldChanges() const;
-  double time() const;
+  double time() const;  ///< [s] since the start, steps() × step
   std::int64_t steps() const;
 
   /// The state now, of one body or of all: a solved motion is evaluated here, and not at every
@@ -187,8 +187,7 @@ class Simulation {
   /// Commands so far that were beyond the limits of their actuator.
   std::int64_t saturations() const;
 
-  /// Sum of the wrenches applied to a body now, without gravity, laws and
-  /// actuators.
+  /// Sum of the wrenches applied to a body now, without gravity, laws and actuators.
   Wrench appliedWrench(std::size_t body) const;
 
   /// How the bodies are advanced, group by group.

@@ -20,8 +20,8 @@ PointWrench wrenchInBodyAxes(const std::vector<Body>& bodies, std::size_t body,
                              const Vector3d& force_B, const Vector3d& torque_B,
                              const Vector3d& point_B);
 
-/// A tether: force [N] and torque [N m] in world axes, the force at a point [m] of B, which moves
-/// with the body.
+/// A pull along a line that keeps its direction, as of a far tug: force [N] and torque [N m] in
+/// world axes, the force at a point [m] of B, which moves with the body.
 PointWrench wrenchInWorldAxes(const std::vector<Body>& bodies, std::size_t body,
                               const Vector3d& force_W, const Vector3d& torque_W,
                               const Vector3d& point_B);

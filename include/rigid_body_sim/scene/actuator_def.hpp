@@ -33,8 +33,8 @@ struct RotorDef {
   Vector3d position = Vector3d::Zero();    ///< [m] where the thrust acts
   Vector3d direction = Vector3d::UnitZ();  ///< unit, of the thrust
   bool clockwise = false;                  ///< turns negatively about the direction
-  double thrust = 0;                       ///< [N s²/rad²] >= 0, over speed squared
-  double drag_torque = 0;                  ///< [N m s²/rad²] >= 0, likewise
+  double thrust = 0;                       ///< [N s²] >= 0, over speed squared
+  double drag_torque = 0;                  ///< [N m s²] >= 0, likewise
   double inertia = 0;        ///< [kg m²] >= 0, about the direction; needs a time constant
   LimitsDef limits;          ///< [rad/s]
   double time_constant = 0;  ///< [s] of the lag; 0: none

@@ -15,8 +15,7 @@ struct FixedFrame {
 };
 
 /// The frames of a scene by name: the world frame, `<body>`, the body's tf frame where that is
-/// another name, `<body>/<point>`. Those of a body that
-/// never moves are frames of the world.
+/// another name, `<body>/<point>`. Those of a body that never moves are frames of the world.
 class FrameTable {
  public:
   /// The world frame and those of all bodies. bodies: those of the world built from the scene.

@@ -53,9 +53,9 @@ class FreeRotation {
   Motion motion_;
 };
 
-/// The exact free rotation that a body's inertia permits, the cheapest one, chosen when the world
-/// is built: spherical, one rotation about L; symmetric, two rotations; asymmetric, Jacobi elliptic
-/// functions. Derivation and sources: doc/derivations/free_rotation.md.
+/// The exact free rotation of a body, by the kind of its inertia: spherical, one rotation about L;
+/// symmetric, two rotations; asymmetric, theta functions or, near the separatrix, elliptic ones.
+/// Derivation and sources: doc/derivations/free_rotation.md.
 ///
 /// Of the two accounts of the angular momentum, L_P gives the direction and L_W the magnitude (see
 /// AngularMomentum). The axis of precession is R(q_WP) L_P, so that the motion starts exactly at

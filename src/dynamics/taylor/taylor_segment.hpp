@@ -133,8 +133,7 @@ BodyStateT<T> advanceTaylor(const Body& body, const HeldWrench& wrench, const Ve
   }
   throw StepTooLong(
       "the motion is too fast to be followed; a shorter time_step, slower turning or less torque "
-      "is "
-      "needed");
+      "is needed");
 }
 
 extern template class TaylorSegmentT<double>;

@@ -35,7 +35,7 @@ std::vector<Input> recordedInputs(const rosbag::Bag& bag) {
   }
   if (topics.size() > 1)
     throw std::invalid_argument("must hold the inputs of one node, got " + *topics.begin() +
-                                " and " + *topics.rbegin() + "; rosbag filter parts them");
+                                " and " + *topics.rbegin() + "; rosbag filter separates them");
   return inputs;
 }
 
@@ -113,7 +113,7 @@ class InputMessages {
     const std::string& known = topics_.emplace(kind, topic).first->second;
     if (known != topic)
       throw std::invalid_argument("must hold the inputs of one node, got " + known + " and " +
-                                  topic + "; rosbag filter parts them");
+                                  topic + "; rosbag filter separates them");
   }
 
   /// resolve(now): the inputs of a message that arrives at the step boundary `now` [s].

@@ -1,9 +1,13 @@
 #include "ros/bag/open_bag.hpp"
 
+#include <cerrno>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include <rosbag/bag.h>
+
+#include "scene/files/read_file.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -20,6 +24,8 @@ void openBag(const std::string& path, rosbag::Bag& bag) {
   if (std::filesystem::is_directory(file, none)) throw std::runtime_error("is a directory");
   if (std::filesystem::is_regular_file(file, none) && std::filesystem::file_size(file, none) == 0)
     throw std::runtime_error("the file is empty");
+  // rosbag does not say why it cannot open a file
+  if (!std::ifstream(file)) throw std::runtime_error(openFault(path, errno));
   try {
     bag.open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {

@@ -73,7 +73,7 @@ void Lockstep::hold(const std::string& topic, const ros::Time& stamp, std::strin
       return;
     }
     known.last_bytes = std::move(bytes);
-    known.is_heard = true;
+    known.is_received = true;
     known.held.push_back({stamp, std::move(take)});
     return;
   }
@@ -90,7 +90,7 @@ void Lockstep::restart() {
     const bool is_missing = state_ && endOfWait(topic) == topic.held.end();
     topic.stale_from = is_missing ? state_ : std::nullopt;
     // the state is sent again, should its answer be taken for the stale one
-    topic.is_heard = false;
+    topic.is_received = false;
     topic.held.clear();
     topic.last_bytes.clear();
     topic.last_end.reset();
@@ -116,9 +116,9 @@ bool Lockstep::mayHaveLostAnswer() {
   for (Topic& topic : topics_) {
     const auto publishers =
         static_cast<std::uint32_t>(ros::TopicManager::instance()->getNumPublishers(topic.name));
-    if (publishers > topic.publishers) topic.is_heard = false;
+    if (publishers > topic.publishers) topic.is_received = false;
     topic.publishers = publishers;
-    may_have |= publishers > 0 && !topic.is_heard && endOfWait(topic) == topic.held.end();
+    may_have |= publishers > 0 && !topic.is_received && endOfWait(topic) == topic.held.end();
   }
   return may_have;
 }

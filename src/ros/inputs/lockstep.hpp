@@ -96,7 +96,7 @@ class Lockstep {
     std::string last_bytes{};               // of the last that was held
     std::optional<ros::Time> last_end{};    // stamp of the message that ended the last wait
     std::uint32_t publishers = 0;           // when they were last counted
-    bool is_heard = false;                  // since the last of them came
+    bool is_received = false;               // since the last of them came
     std::optional<ros::Time> stale_from{};  // see restart
     ros::Subscriber subscriber{};           // where nobody else takes it
   };

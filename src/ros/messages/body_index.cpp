@@ -14,7 +14,8 @@ std::size_t bodyNamed(const std::string& name, const std::vector<Body>& bodies) 
     std::vector<std::string> names;
     names.reserve(bodies.size());
     for (const Body& body : bodies) names.push_back(body.name);
-    throw std::invalid_argument("unknown body '" + printable(name) + "'" + didYouMean(name, names));
+    throw std::invalid_argument("unknown body '" + printable(name) +
+                                "' (known: " + nameList(names) + ")" + didYouMean(name, names));
   }
   return static_cast<std::size_t>(found - bodies.begin());
 }

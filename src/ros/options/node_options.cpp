@@ -69,13 +69,13 @@ std::string readPrefix(const std::string& name, const XmlRpcValue& value) {
   return prefix;
 }
 
-/// A list, or a text of names parted by commas or blanks, as launch files and command lines have
+/// A list, or a text of names separated by commas or blanks, as launch files and command lines have
 /// it.
 std::vector<std::string> readTopics(const std::string& name, const XmlRpcValue& value) {
   std::string text;
   const auto add = [&](const XmlRpcValue& item) {
     if (item.getType() != XmlRpcValue::TypeString)
-      refuse(name, value, "names of topics, as a list or parted by commas");
+      refuse(name, value, "names of topics, as a list or separated by commas");
     text += static_cast<const std::string&>(item) + " ";
   };
   if (value.getType() != XmlRpcValue::TypeArray) {
@@ -91,7 +91,7 @@ std::vector<std::string> readTopics(const std::string& name, const XmlRpcValue& 
   std::string fault;
   for (std::string topic; words >> topic; topics.push_back(topic))
     if (!ros::names::validate(topic, fault))
-      refuse(name, value, "names of topics, as a list or parted by commas");
+      refuse(name, value, "names of topics, as a list or separated by commas");
   return topics;
 }
 

@@ -10,17 +10,17 @@
 #include <rigid_body_sim/scene/scene_error.hpp>
 
 namespace rigid_body_sim {
-namespace {
 
-/// Where a relative path starts from: not everywhere where its user thinks, as under roslaunch.
-std::string startOf(const std::string& path) {
+std::string lookedForIn(const std::string& path) {
   std::error_code unknown;
   const std::filesystem::path directory = std::filesystem::current_path(unknown);
   if (unknown || std::filesystem::path(path).is_absolute()) return "";
   return " (looked for in " + directory.string() + ")";
 }
 
-}  // namespace
+std::string openFault(const std::string& path, int reason) {
+  return std::string("cannot be opened: ") + std::strerror(reason) + lookedForIn(path);
+}
 
 std::string readFile(const std::string& path, const std::string& kind, std::size_t most_bytes) {
   std::error_code no_matter;  // what cannot be looked at cannot be opened either
@@ -28,9 +28,7 @@ std::string readFile(const std::string& path, const std::string& kind, std::size
     throw SceneError(path, 0, "is a directory, not a " + kind);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw SceneError(path, 0,
-                     std::string("cannot be opened: ") + std::strerror(errno) + startOf(path));
+  if (!file) throw SceneError(path, 0, openFault(path, errno));
   std::string text;
   std::array<char, 1 << 16> block;
   while (text.size() <= most_bytes && file) {

@@ -20,7 +20,7 @@ namespace {
 std::string fileFault(const std::string& path, const std::string& extension) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) return "mesh file does not exist";
+  if (!std::filesystem::exists(status)) return "mesh file does not exist" + lookedForIn(path);
   if (!std::filesystem::is_regular_file(status)) return "mesh file must be a regular file";
   if (extension != ".stl" && extension != ".obj" && extension != ".dae")
     return "mesh file must end in .stl, .obj or .dae, got '" + extension + "'";

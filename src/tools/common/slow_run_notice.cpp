@@ -82,7 +82,9 @@ std::string reasonOf(const Simulation& simulation, double t_end) {
   constexpr double kMany = 1000;
   if (!(t_end > kMany * h))
     return "each of its steps of " + shortest(h) +
-           " s takes long; fewer bodies that move or a larger tolerance make them cheaper";
+           " s takes long, or the processor is busy; fewer bodies that move or a looser tolerance "
+           "make "
+           "them cheaper";
   return "it takes many steps of " + shortest(h) + " s; a longer time_step takes fewer";
 }
 
@@ -99,7 +101,7 @@ std::string SlowRunNotice::textIfDue(const Simulation& simulation) {
                                steps * kLookEvery / std::max(elapsed, kLookEvery), 1.0, 1e6));
   if (elapsed < patience_) return "";
   is_said_ = true;
-  return formatted("%.0f s of computing have reached %.4g of %.4g s: ", elapsed, simulation.time(),
+  return formatted("after %.0f s the run has come to %.4g of %.4g s: ", elapsed, simulation.time(),
                    t_end_) +
          reasonOf(simulation, t_end_);
 }

@@ -26,8 +26,8 @@ that is in both. Both are
 
 A body of one run only is printed, and does not count as a difference. A record holds several states
 of an instant where one was set while time stood: of these the nearest to the other run counts, and
-the line of the body says of how many instants. Of several runs in a bag, parted by resets of time or
-by loads, the last is compared.
+the line of the body says of how many instants. Of several runs in a bag, separated by resets of time
+or by loads, the last is compared.
 Exit status: 0 the bodies of both runs agree; 1 they differ, or the input is at fault; 2 wrong usage.
 )";
 

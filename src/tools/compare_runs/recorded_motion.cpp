@@ -15,6 +15,7 @@
 #include "ros/bag/in_file_order.hpp"
 #include "ros/bag/open_bag.hpp"
 #include "ros/bag/run_starts.hpp"
+#include "scene/files/read_file.hpp"
 #include "tools/common/csv_header.hpp"
 #include "tools/common/csv_rows.hpp"
 
@@ -53,7 +54,7 @@ RecordedMotion motionOfBag(const std::string& path) {
   if (motion.bodies.empty()) throw std::runtime_error("holds no odometry (nav_msgs/Odometry)");
   if (starts.runs() > 1)
     motion.notice =
-        path + ": holds several runs, parted by resets or loads, of which the last is compared";
+        path + ": holds several runs, separated by resets or loads, of which the last is compared";
   return motion;
 }
 
@@ -71,7 +72,7 @@ RecordedMotion motionOfCsv(const std::string& path) {
     throw std::runtime_error("is a directory; a run is a bag or a CSV file");
   std::ifstream file(path);
   std::string row;
-  if (!file.is_open()) throw std::runtime_error(std::strerror(errno));
+  if (!file.is_open()) throw std::runtime_error(openFault(path, errno));
   std::getline(file, row);
   if (row != kCsvHeader)
     throw std::runtime_error("neither a bag (.bag) nor a CSV file of simulate: line 1 must be " +

@@ -30,8 +30,9 @@ torques; energy and momentum, and the part of them that work and impulses do not
 
 Roll, pitch and yaw go on without jumps: pitch beyond a quarter of a turn, all of them beyond a turn.
 After an absence and where the body was put into another attitude they begin anew. Forces that are zero
-throughout are not drawn. Of several runs in a bag, parted by resets of time or by loads, the last is
-drawn. Stamps of a bag that are wall time count from the first one on. Needs gnuplot: apt install gnuplot-nox.
+throughout are not drawn. Of several runs in a bag, separated by resets of time or by loads, the last
+is drawn. Stamps of a bag that are wall time count from the first one on. Needs gnuplot:
+apt install gnuplot-nox.
 Exit status: 0 done; 1 a file cannot be read or written, or gnuplot is missing; 2 wrong usage.
 )";
 
@@ -39,7 +40,7 @@ std::vector<std::string> namesIn(const std::string& list) {
   std::vector<std::string> names;
   std::istringstream stream(list);
   for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
-  if (names.empty()) throw UsageError("--bodies: names parted by commas are needed");
+  if (names.empty()) throw UsageError("--bodies: names separated by commas are needed");
   return names;
 }
 

@@ -54,7 +54,7 @@ constexpr const char* kNoBalance =
     "for more than two seconds";
 
 constexpr const char* kRuns =
-    ": holds several runs, parted by resets or loads, of which the last is drawn";
+    ": holds several runs, separated by resets or loads, of which the last is drawn";
 
 /// Reads message after message of a bag, and keeps its last run.
 class BagRunReader {

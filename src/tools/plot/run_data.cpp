@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <rigid_body_sim/math/rotation.hpp>
 
 #include "math/shortest.hpp"
+#include "scene/files/read_file.hpp"
 #include "scene/message_text.hpp"
 #include "tools/common/csv_header.hpp"
 #include "tools/common/csv_rows.hpp"
@@ -72,7 +72,7 @@ void addCsv(const std::string& path, RunData& run) {
   if (std::filesystem::is_directory(path, none))
     throw std::runtime_error("is a directory; plot takes the files in it, by their names");
   std::ifstream file(path);
-  if (!file.is_open()) throw std::runtime_error(std::strerror(errno));
+  if (!file.is_open()) throw std::runtime_error(openFault(path, errno));
   const std::string cut = readRows(file, run);
   if (!cut.empty()) run.notices.push_back(oneLine(path) + ": " + cut + "; it is not drawn");
 }

@@ -27,7 +27,7 @@ std::string RecordedRun::lengthNotice(const Scene& scene) const {
   if (!recorded_.is_of_later_run || showsItsEnd(scene.time_step)) return "";
   return path_ + ": " +
          formatted(
-             "holds several runs, parted by resets or loads, of which the last is repeated; "
+             "holds several runs, separated by resets or loads, of which the last is repeated; "
              "its length is not known, it is taken to end at %s s: --duration says how long "
              "it was",
              shortest(end(scene)).c_str());

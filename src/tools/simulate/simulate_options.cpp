@@ -65,7 +65,7 @@ and momentum were conserved, or what changed them.
   --integrator NAME  in place of the scene's
   --time-step S      in place of the scene's [s]
   --tolerance X      in place of the scene's, with integrator auto only
-  --threads N        in place of the scene's: at most so many step and read bodies that are many
+  --threads N        in place of the scene's: at most so many step and read many bodies
   --csv FILE|-       a row for each body and sample; - is the standard output
   --imu-csv FILE|-   a row for each sample of each IMU of the scene, at the IMU's own rate and
                      without noise

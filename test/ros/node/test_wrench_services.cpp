@@ -194,7 +194,7 @@ TEST_F(WrenchServices, ClearOfNothingNamedEndsAll) {
 
 TEST_F(WrenchServices, ClearRefusesAnUnknownBody) {
   EXPECT_FALSE(clear("nobody", "").success);
-  EXPECT_EQ(clear("nobody", "").message, "unknown body 'nobody'");
+  EXPECT_EQ(clear("nobody", "").message, "unknown body 'nobody' (known: box, canary, post)");
 }
 
 TEST_F(WrenchServices, EverydayTopicTakesAFrameThatTfHangsOnTheBody) {
