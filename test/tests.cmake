@@ -94,6 +94,7 @@ set(program_definitions
   RIGID_BODY_SIM_CONFIG="${PROJECT_SOURCE_DIR}/config"
   RIGID_BODY_SIM_SCENES="${PROJECT_SOURCE_DIR}/config/scenes"
   RIGID_BODY_SIM_DEMO_PUSHER="$<TARGET_FILE:rigid_body_sim_demo_pusher>"
+  RIGID_BODY_SIM_DRONE_PILOT="$<TARGET_FILE:rigid_body_sim_drone_pilot>"
   RIGID_BODY_SIM_MASS_PROPERTIES="$<TARGET_FILE:rigid_body_sim_mass_properties>"
   RIGID_BODY_SIM_NODE="$<TARGET_FILE:rigid_body_sim_rigid_body_node>"
   RIGID_BODY_SIM_PLOT="$<TARGET_FILE:rigid_body_sim_plot>"

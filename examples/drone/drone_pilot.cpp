@@ -1,6 +1,9 @@
 // Flies the quadrotor of config/scenes/quadrotor.yaml along a circle: odometry in, speeds of the
 // rotors out. launch/drone.launch starts it; drone_pilot.py does the same in Python.
 
+#include <cstdio>
+#include <cstring>
+
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
@@ -54,6 +57,16 @@ class DronePilot {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::strcmp(argv[1], "--help") == 0) {
+    std::puts(
+        "usage: rosrun rigid_body_sim drone_pilot\n"
+        "Flies the quadrotor of config/scenes/quadrotor.yaml along a circle: subscribes to\n"
+        "quadrotor/odom, publishes quadrotor/command. Needs a ROS master, and a rigid_body_node "
+        "with\n"
+        "that scene, as launch/drone.launch starts it.\n\n"
+        "  --help    this text");
+    return 0;
+  }
   ros::init(argc, argv, "drone_pilot");
   DronePilot pilot;
   ros::spin();

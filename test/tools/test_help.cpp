@@ -13,15 +13,20 @@ struct Program {
 
 class Help : public ::testing::TestWithParam<Program> {};
 
-TEST_P(Help, IsGivenByEveryProgramWithoutAMaster) {
+void expectHelpWithoutAMaster(const Program& program) {
   // both streams: nothing but the help is said
   const test::Outcome run = test::runCommand(std::string("ROS_MASTER_URI=http://localhost:1 ") +
-                                             GetParam().path + " --help 2>&1");
+                                             program.path + " --help 2>&1");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.out.find("usage: "), 0U) << run.out;
-  EXPECT_NE(run.out.substr(0, run.out.find('\n')).find(GetParam().name), std::string::npos)
-      << run.out;
+  EXPECT_NE(run.out.substr(0, run.out.find('\n')).find(program.name), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("--help"), std::string::npos) << run.out;
+}
+
+TEST_P(Help, IsGivenByEveryProgramWithoutAMaster) { expectHelpWithoutAMaster(GetParam()); }
+
+TEST(HelpOfExamples, IsGivenWithoutAMaster) {
+  expectHelpWithoutAMaster({"drone_pilot", RIGID_BODY_SIM_DRONE_PILOT});
 }
 
 TEST_P(Help, ThatCannotBeWrittenIsNoSuccess) {
