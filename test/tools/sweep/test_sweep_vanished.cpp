@@ -79,8 +79,7 @@ TEST(SweepProgram, LeavesNoSummaryThatIsNotWhole) {
   ASSERT_GT(whole.size(), 16384U);
   ASSERT_EQ(remove(summary.c_str()), 0);
   const test::Outcome full = test::runCommand(
-      "bash -c 'trap \"\" XFSZ; ulimit -f 16; PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " +
-      command + " 2>&1'");
+      "bash -c 'ulimit -f 16; PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " + command + " 2>&1'");
   EXPECT_EQ(full.exit_code, 1);
   EXPECT_EQ(full.out,
             "sweep: " + summary +
