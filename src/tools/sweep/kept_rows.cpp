@@ -1,17 +1,17 @@
 #include "tools/sweep/kept_rows.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
 #include "tools/sweep/run_table.hpp"
+#include "tools/sweep/table_lines.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 std::optional<TableInfo> infoBeside(const ShardFiles& files) {
-  return tableInfoIn(textOf(files.path("runs", ".info")).value_or(""));
+  return tableInfoIn(beginOf(files.path("runs", ".info"), kMaxInfoBytes).value_or(""));
 }
 
 void requireSameSweep(const ShardFiles& files, const SweepInfo& there, const SweepInfo& info) {
@@ -33,12 +33,13 @@ void requireSameSweep(const ShardFiles& files, const SweepInfo& there, const Swe
 SweepLedger ledgerByForm(const ShardFiles& files, const SweepLedger& whole, std::int64_t rows,
                          const RowForm& form) {
   const std::string path = files.path("runs", ".csv");
-  std::ifstream in(path, std::ios::binary);
+  TableLines lines(path);
   std::string line;
-  std::getline(in, line);
+  lines.next(line, std::string::npos);
+  const std::size_t longest = longestRow(line);
   SweepLedger ledger;
   std::vector<std::string_view> fields;
-  for (; ledger.rows < rows && std::getline(in, line); ++ledger.rows) {
+  for (; ledger.rows < rows && lines.next(line, longest); ++ledger.rows) {
     splitFields(line, fields);
     ledger.digest += digestOfRow(line);
     if (!requireForm(fields, form, path + ":" + std::to_string(ledger.rows + 2)))

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "tools/sweep/other_tables.hpp"
 #include "tools/sweep/run_table.hpp"
 
 namespace rigid_body_sim {
@@ -60,7 +61,8 @@ void requireAll(const ShardsByNumber& shards) {
 
 TableInfo infoOf(const ShardFiles& files) {
   const std::string path = files.path("runs", ".info");
-  const auto info = tableInfoIn(textOf(path).value_or(""));
+  requireRegular(path);
+  const auto info = tableInfoIn(beginOf(path, kMaxInfoBytes).value_or(""));
   if (!info) throw std::runtime_error(path + ": is not there, or not of a sweep");
   return *info;
 }
@@ -78,6 +80,7 @@ std::vector<ShardTable> shardsIn(const std::vector<std::string>& directories) {
   requireAll(shards);
   std::vector<ShardTable> tables;
   for (const auto& [number, files] : shards) {
+    for (const char* stem : {"runs", "fan"}) requireRegular(files.path(stem, ".csv"));
     tables.push_back({files, infoOf(files)});
     const TableInfo &info = tables.back().info, &first = tables.front().info;
     const std::string path = files.path("runs", ".csv");

@@ -35,6 +35,12 @@ struct TableInfo {
 std::string toText(const TableInfo& info);
 std::optional<TableInfo> tableInfoIn(const std::string& text);
 
+/// With which the text begins, whatever version wrote it.
+constexpr const char* kInfoMark = "rigid_body_sim sweep ";
+
+/// More bytes than it has.
+constexpr std::size_t kMaxInfoBytes = 1 << 20;
+
 /// Whether their rows belong together, whatever the names of their files.
 bool isSameSweep(const SweepInfo& a, const SweepInfo& b);
 

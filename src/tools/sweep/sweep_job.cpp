@@ -105,6 +105,7 @@ std::string SweepJob::writeScene(std::int64_t number) {
   makeDirectory(options_.directory());
   const std::string path =
       (std::filesystem::path(options_.directory()) / sceneName(number)).string();
+  requireSceneOfASweep(path);
   std::string heading = "# run " + std::to_string(number) + " of ";
   // whose values depend on it
   if (inputs_.study.latin_hypercube) heading += std::to_string(info_.sweep.runs) + " runs of ";
@@ -144,8 +145,6 @@ TableHeaders SweepJob::headers() const {
 
 /// What is gone on with; nothing where the tables begin anew.
 KeptRows SweepJob::rowsToKeep() const {
-  requireTableOfASweep(files_.path("runs", ".csv"), "runs");
-  if (!info_.sweep.fan.empty()) requireTableOfASweep(files_.path("fan", ".csv"), "fan");
   KeptRows kept;
   if (options_.resume)
     kept = keptRows(files_, info_.sweep, headers());
@@ -198,6 +197,7 @@ void SweepJob::run() {
 void SweepJob::makeTables() {
   makeDirectory(options_.directory());
   refuseOtherDivisions(options_.directory(), shard_);
+  requireFilesOfASweep(files_, !info_.sweep.fan.empty());
   LockedFile runs(files_.path("runs", ".csv"));
   const KeptRows kept = rowsToKeep();
   const StopSignals signals;

@@ -154,7 +154,8 @@ void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::st
   if (!info.fan.empty()) all_of_fan = writeFan(fan_csv, fan);
   const bool has_fan = all_of_fan.count > 0 && hasRange(all_of_fan);
   if (has_fan) script << "$fan << EOD\n" << fan.str() << "EOD\n";
-  script << "set terminal svg size 1000,900 noenhanced font 'sans,13' background 'white'\n"
+  script << "set terminal svg size 1000,900 name 'rigid_body_sim_sweep' noenhanced font 'sans,13' "
+            "background 'white'\n"
          << "set output " << gnuplotText(svg) << "\nset multiplot title "
          << gnuplotText(oneLine(info.title) + ": " + std::to_string(summary.done) + " runs") << "\n"
          << "set grid lc rgb '#dddddd'\nset style fill solid noborder\nset boxwidth 0.9 relative\n"

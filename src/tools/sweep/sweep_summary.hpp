@@ -55,6 +55,9 @@ struct SweepSummary {
 /// Reads runs.csv. Throws std::runtime_error for a file that is none.
 SweepSummary summarise(const std::string& path, const SweepInfo& info);
 
+/// With which summary.csv begins.
+constexpr const char* kSummaryMark = "column,count,mean,stddev,min";
+
 /// summary.csv, and the table for a terminal: varied values, and records or, without any, end
 /// states.
 std::string summaryCsv(const SweepSummary& summary);
