@@ -25,7 +25,7 @@ class RunTable {
   /// take them.
   void append(const std::string& rows) { file_.append(rows); }
 
-  /// Throws std::runtime_error where it is no longer the file of its path.
+  /// Throws std::runtime_error where it is no longer the file of its path, or of another length.
   void requireInPlace() const { file_.requireInPlace(); }
 
  private:
