@@ -10,8 +10,14 @@
 namespace rigid_body_sim {
 namespace {
 
-std::optional<TableInfo> infoBeside(const ShardFiles& files) {
-  return tableInfoIn(beginOf(files.path("runs", ".info"), kMaxInfoBytes).value_or(""));
+/// What tells of which sweep the rows of a table are. Throws where nothing does.
+TableInfo infoBeside(const ShardFiles& files) {
+  const std::string path = files.path("runs", ".info");
+  const std::optional<std::string> text = beginOf(path, kMaxInfoBytes);
+  if (const auto info = tableInfoIn(text.value_or(""))) return *info;
+  throw std::runtime_error(files.path("runs", ".csv") + ": " + path +
+                           ", which says of which sweep the rows are, " + faultOfInfo(text) +
+                           "; put it back, or remove the table to begin anew");
 }
 
 void requireSameSweep(const ShardFiles& files, const SweepInfo& there, const SweepInfo& info) {
@@ -45,10 +51,26 @@ SweepLedger ledgerByForm(const ShardFiles& files, const SweepLedger& whole, std:
     if (!requireForm(fields, form, path + ":" + std::to_string(ledger.rows + 2)))
       ledger.refused.add(files.shard.run(ledger.rows), std::string(fields.back()));
   }
-  const std::int64_t end = files.shard.run(rows);
-  for (const std::int64_t run : whole.doubtful_runs)
-    if (run < end) ledger.addDoubt(run, run == whole.doubtful.first ? whole.doubtful.why : "");
+  ledger.addDoubtsBefore(files.shard.run(rows), whole);
   return ledger;
+}
+
+/// Those of the first loss are those that are known to have been written.
+LostRows lostOf(const TableInfo& info) {
+  const SweepLedger& written = info.ledger;
+  if (info.lost.rows > 0) return info.lost;
+  return {written.rows, written.digest, written.doubtful.count, written.doubtful.is_at_least};
+}
+
+/// A table without a row.
+KeptRows nothingKept(const ShardFiles& files, const SweepInfo& info) {
+  KeptRows kept;
+  const auto beside = tableInfoIn(beginOf(files.path("runs", ".info"), kMaxInfoBytes).value_or(""));
+  if (!beside || !isSameSweep(beside->sweep, info) || beside->ledger.rows == 0) return kept;
+  kept.lost = lostOf(*beside);
+  kept.notices.push_back(files.path("runs", ".csv") + ": has lost all its rows, of " +
+                         std::to_string(beside->ledger.rows) + ", which are made again");
+  return kept;
 }
 
 void keepFan(const ShardFiles& files, const SweepLedger& written, std::int64_t written_rows,
@@ -86,27 +108,23 @@ void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint
 
 KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHeaders& headers) {
   const std::string table = files.path("runs", ".csv");
-  KeptRows kept;
   const std::int64_t there = wholeRows(table);
-  if (there == 0) return kept;
-  const std::optional<TableInfo> beside = infoBeside(files);
-  if (!beside)
-    throw std::runtime_error(table + ": " + files.path("runs", ".info") +
-                             ", which says of which sweep the rows are, is not there, or is not "
-                             "whole; put it back, or remove the table to begin anew");
-  requireSameSweep(files, beside->sweep, info);
-  const SweepLedger& written = beside->ledger;
+  if (there == 0) return nothingKept(files, info);
+  KeptRows kept;
+  const TableInfo beside = infoBeside(files);
+  requireSameSweep(files, beside.sweep, info);
+  const SweepLedger& written = beside.ledger;
   const std::int64_t rows = std::min(there, written.rows);
   if (rows == 0) return kept;
   const RowsRead read = readRows(table, headers.runs, rows, files.shard);
+  kept.lost = beside.lost;
   if (rows == written.rows) {
     requireLedger(files, written, read.digest, headers.form);
     kept.ledger = written;
     kept.ledger.fan_digest = 0;
   } else {
     kept.ledger = ledgerByForm(files, written, rows, headers.form);
-    kept.lost_until = written.rows;
-    kept.lost_digest = written.digest;
+    kept.lost = lostOf(beside);
     kept.notices.push_back(table + ": has lost its last rows, of " + std::to_string(written.rows) +
                            "; of the " + std::to_string(rows) +
                            " that are left only the form could be checked");
@@ -125,7 +143,8 @@ std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info) {
   const std::string table = files.path("runs", ".csv");
   const std::int64_t rows = wholeRows(table);
   if (rows == 0) return "";
-  const std::optional<TableInfo> beside = infoBeside(files);
+  const std::optional<TableInfo> beside =
+      tableInfoIn(beginOf(files.path("runs", ".info"), kMaxInfoBytes).value_or(""));
   const std::int64_t all = beside ? files.shard.runsOf(beside->sweep.runs) : 0;
   if (beside && rows >= all) return "";
   const std::string holds = table + ": holds " + std::to_string(rows) + " " +

@@ -12,12 +12,11 @@ namespace rigid_body_sim {
 
 /// What an interrupted sweep has left that can be gone on with.
 struct KeptRows {
-  SweepLedger ledger{};           ///< of the rows
-  std::int64_t lost_until = 0;    ///< rows that there were, where some are lost; 0: none are
-  std::uint64_t lost_digest = 0;  ///< of these rows
-  std::int64_t bytes = 0;         ///< of the table up to their end
-  std::int64_t fan_rows = 0;      ///< that the fan should have by now
-  std::int64_t fan_bytes = 0;     ///< up to their end; 0: they must be made again
+  SweepLedger ledger{};  ///< of the rows
+  LostRows lost{};
+  std::int64_t bytes = 0;      ///< of the table up to their end
+  std::int64_t fan_rows = 0;   ///< that the fan should have by now
+  std::int64_t fan_bytes = 0;  ///< up to their end; 0: they must be made again
   std::vector<std::string> notices{};
 };
 

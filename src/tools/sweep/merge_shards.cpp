@@ -30,7 +30,7 @@ void requireWritten(const std::vector<OpenShard>& tables, const std::string& ste
                     const std::string& header) {
   const auto columns = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',') + 1);
   for (const OpenShard& table : tables) {
-    const auto& [sweep, ledger] = table.shard.info;
+    const auto& [sweep, ledger, lost] = table.shard.info;
     if (stem == "runs")
       requireLedger(table.shard.files, ledger, table.digest,
                     {columns, sweep.varied, sweep.records});

@@ -62,8 +62,9 @@ void requireAll(const ShardsByNumber& shards) {
 TableInfo infoOf(const ShardFiles& files) {
   const std::string path = files.path("runs", ".info");
   requireRegular(path);
-  const auto info = tableInfoIn(beginOf(path, kMaxInfoBytes).value_or(""));
-  if (!info) throw std::runtime_error(path + ": is not there, or not of a sweep");
+  const std::optional<std::string> text = beginOf(path, kMaxInfoBytes);
+  const auto info = tableInfoIn(text.value_or(""));
+  if (!info) throw std::runtime_error(path + ": " + faultOfInfo(text));
   return *info;
 }
 
@@ -91,6 +92,10 @@ std::vector<ShardTable> shardsIn(const std::vector<std::string>& directories) {
     requireRows(path, wholeRows(path), all);
     // rows that were not known to be whole when the shard was ended
     requireRows(path, info.ledger.rows, all);
+    if (info.lost.rows > 0)
+      throw std::runtime_error(path +
+                               ": had lost rows, and was ended before those that were made "
+                               "again were checked; finish it with --resume");
     if (info.sweep.fan.empty()) continue;
     const std::string fan = files.path("fan", ".csv");
     requireRows(fan, wholeRows(fan), files.shard.runsOf(info.sweep.fanRuns()));

@@ -22,8 +22,9 @@ namespace {
 void notify(const SweepLedger& ledger) {
   const auto say = [](const NotedRuns& runs, const std::string& one, const std::string& more) {
     if (runs.count > 0)
-      SweepJob::notify(std::to_string(runs.count) + (runs.count == 1 ? one : more) +
-                       "; the first is run " + std::to_string(runs.first) + ": " + runs.why);
+      SweepJob::notify((runs.is_at_least ? "at least " : "") + std::to_string(runs.count) +
+                       (runs.count == 1 ? one : more) + "; the first is run " +
+                       std::to_string(runs.first) + ": " + runs.why);
   };
   say(ledger.refused, " run has no result", " runs have no result");
   say(ledger.doubtful, " run may have an error beyond the tolerance (runs.info says which)",

@@ -161,6 +161,7 @@ SweepJob::Tables SweepJob::openTables(LockedFile runs, const KeptRows& kept) {
   };
   const TableHeaders first = headers();
   info_.ledger = kept.ledger;
+  info_.lost = kept.lost;
   if (kept.bytes == 0) removeOldResults(files_, !info_.sweep.fan.empty());
   // before any row: rows without a description cannot be gone on with
   writeInfo();
@@ -207,13 +208,9 @@ void SweepJob::makeTables() {
   addRunners(std::max(all - first, needs_fan ? kept.fan_rows : 0));
   if (needs_fan) makeFanAgain(*tables.fan, kept.fan_rows, signals);
   std::int64_t written = 0;
-  if (kept.lost_until > first) {
-    written = makeRuns(tables, first, kept.lost_until, signals);
-    if (first + written == kept.lost_until && info_.ledger.digest != kept.lost_digest)
-      notify(files_.path("runs", ".csv") +
-             ": with the runs that were lost its rows are not those that were written: somebody "
-             "has changed it, or this machine computes other digits; to be sure, remove it and "
-             "make its runs anew");
+  if (kept.lost.rows > 0) {
+    written = makeRuns(tables, first, kept.lost.rows, signals);
+    if (first + written == kept.lost.rows) endLoss();
   }
   if (!signals.requested()) written += makeRuns(tables, first + written, all, signals);
   if (first + written == all) return;
@@ -221,6 +218,22 @@ void SweepJob::makeTables() {
                "sweep: stopped after %lld of %lld runs; the same command with --resume goes on\n",
                static_cast<long long>(first + written), static_cast<long long>(all));
   signals.endIfRequested();
+}
+
+/// The rows that were lost are there again.
+void SweepJob::endLoss() {
+  NotedRuns& doubtful = info_.ledger.doubtful;
+  if (info_.ledger.digest != info_.lost.digest)
+    notify(files_.path("runs", ".csv") +
+           ": with the runs that were lost its rows are not those that were written: somebody "
+           "has changed it, or this machine computes other digits; to be sure, remove it and "
+           "make its runs anew");
+  else if (!info_.lost.is_at_least) {
+    doubtful.count = info_.lost.doubtful;
+    doubtful.is_at_least = false;
+  }
+  info_.lost = {};
+  writeInfo();
 }
 
 /// Of runs whose rows are there.

@@ -53,8 +53,8 @@ TEST(SweepProgram, GoesOnWithNoTableThatSomebodyHasChanged) {
   EXPECT_EQ(
       test::sweep(command + " --resume").out,
       "sweep: " + out + "/runs.csv: " + out +
-          "/runs.info, which says of which sweep the rows are, is not there, or is not whole; put "
-          "it back, or remove the table to begin anew\n");
+          "/runs.info, which says of which sweep the rows are, is not there; put it "
+          "back, or remove the table to begin anew\n");
 }
 
 TEST(SweepProgram, MergesMoreShardsThanAProcessMayHaveFilesOpen) {
