@@ -1,6 +1,7 @@
 #include "tools/sweep/kept_rows.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 
@@ -73,8 +74,20 @@ KeptRows nothingKept(const ShardFiles& files, const SweepInfo& info) {
   return kept;
 }
 
-void keepFan(const ShardFiles& files, const SweepLedger& written, std::int64_t written_rows,
-             const std::string& header, KeptRows& kept) {
+/// Of what is behind the rows that are known: no sweep writes more rows than it has runs; else it
+/// is what was written until a process was killed, and is made again.
+void lookBehind(const std::string& path, const RowsRead& read, std::int64_t rows, std::int64_t all,
+                KeptRows& kept) {
+  std::error_code is_gone;
+  const auto bytes = std::filesystem::file_size(path, is_gone);
+  if (is_gone || static_cast<std::int64_t>(bytes) <= read.bytes) return;
+  if (rows == all) refuseMoreThan(path, all);
+  kept.notices.push_back(path + ": what is behind its first " + std::to_string(rows) +
+                         " rows is not in runs.info, and is made again");
+}
+
+void keepFan(const ShardFiles& files, const SweepInfo& info, const SweepLedger& written,
+             std::int64_t written_rows, const std::string& header, KeptRows& kept) {
   const std::string path = files.path("fan", ".csv");
   if (wholeRows(path) < kept.fan_rows) {
     kept.notices.push_back(path + ": has lost rows, which are made again");
@@ -84,6 +97,7 @@ void keepFan(const ShardFiles& files, const SweepLedger& written, std::int64_t w
   // of fewer rows than were written nothing is known
   if (kept.fan_rows != written_rows) return;
   requireFan(path, written, fan.digest);
+  lookBehind(path, fan, kept.fan_rows, files.shard.runsOf(info.fanRuns()), kept);
   kept.ledger.fan_digest = fan.digest;
   kept.fan_bytes = fan.bytes;
 }
@@ -95,6 +109,12 @@ void requireFan(const std::string& path, const SweepLedger& ledger, std::uint64_
   throw std::runtime_error(path +
                            ": its rows are not those that were written; somebody has changed the "
                            "table: remove it, and --resume makes it again");
+}
+
+void refuseMoreThan(const std::string& path, std::int64_t rows) {
+  throw std::runtime_error(path + ": has more than the " + std::to_string(rows) +
+                           " rows of its runs; somebody has changed the table: remove what is "
+                           "behind them, or make its runs anew");
 }
 
 void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint64_t digest,
@@ -115,11 +135,15 @@ KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHea
   requireSameSweep(files, beside.sweep, info);
   const SweepLedger& written = beside.ledger;
   const std::int64_t rows = std::min(there, written.rows);
-  if (rows == 0) return kept;
+  if (rows == 0) {
+    kept.notices.push_back(table + ": its rows are not in runs.info, and are made again");
+    return kept;
+  }
   const RowsRead read = readRows(table, headers.runs, rows, files.shard);
   kept.lost = beside.lost;
   if (rows == written.rows) {
     requireLedger(files, written, read.digest, headers.form);
+    lookBehind(table, read, rows, files.shard.runsOf(info.runs), kept);
     kept.ledger = written;
     kept.ledger.fan_digest = 0;
   } else {
@@ -135,7 +159,7 @@ KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHea
   };
   kept.fan_rows = fan_rows(rows);
   if (!info.fan.empty() && kept.fan_rows > 0)
-    keepFan(files, written, fan_rows(written.rows), headers.fan, kept);
+    keepFan(files, info, written, fan_rows(written.rows), headers.fan, kept);
   return kept;
 }
 

@@ -39,7 +39,10 @@ std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info);
 void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint64_t digest,
                    const RowForm& form);
 
-/// The same for the rows of a fan, by the path of that.
+/// Throws std::runtime_error for what is in a whole table behind its rows.
+[[noreturn]] void refuseMoreThan(const std::string& path, std::int64_t rows);
+
+/// The same as requireLedger for the rows of a fan, by the path of that.
 void requireFan(const std::string& path, const SweepLedger& ledger, std::uint64_t digest);
 
 }  // namespace rigid_body_sim

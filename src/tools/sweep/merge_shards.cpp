@@ -23,14 +23,16 @@ struct OpenShard {
   const ShardTable& shard;
   TableLines lines;
   std::uint64_t digest = 0;  // of the rows that were read
+  std::int64_t rows = 0;     // that were read
 };
 
-/// Refuses rows which are not those that a shard has written.
+/// Refuses rows which are not those that a shard has written, and what is behind them.
 void requireWritten(const std::vector<OpenShard>& tables, const std::string& stem,
                     const std::string& header) {
   const auto columns = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',') + 1);
   for (const OpenShard& table : tables) {
     const auto& [sweep, ledger, lost] = table.shard.info;
+    if (!table.lines.isAtEnd()) refuseMoreThan(table.lines.path(), table.rows);
     if (stem == "runs")
       requireLedger(table.shard.files, ledger, table.digest,
                     {columns, sweep.varied, sweep.records});
@@ -40,8 +42,9 @@ void requireWritten(const std::vector<OpenShard>& tables, const std::string& ste
 }
 
 /// One line of each table in turn, as long as there are any. Shards differ by one row at most.
-void interleave(const std::vector<ShardTable>& shards, const std::string& stem,
-                const std::string& out) {
+/// False where it is told to stop.
+bool interleave(const std::vector<ShardTable>& shards, const std::string& stem,
+                const std::string& out, const std::atomic<bool>& stop) {
   constexpr std::size_t kAllPieces = 16 << 20;
   const std::size_t piece =
       std::clamp<std::size_t>(kAllPieces / shards.size(), 4096, TableLines::kPiece);
@@ -61,11 +64,13 @@ void interleave(const std::vector<ShardTable>& shards, const std::string& stem,
   std::string rows;
   bool any = true;
   for (std::int64_t row = 0; any; ++row) {
+    if (stop) return false;
     any = false;
     for (OpenShard& table : tables)
       if (table.lines.next(line, longest)) {
         requireRowInPlace(table.lines.path(), row, line, table.shard.files.shard);
         table.digest += digestOfRow(line);
+        ++table.rows;
         any = true;
         rows += line + "\n";
       }
@@ -74,6 +79,7 @@ void interleave(const std::vector<ShardTable>& shards, const std::string& stem,
     rows.clear();
   }
   requireWritten(tables, stem, header);
+  return true;
 }
 
 /// The tables that are made in a directory, beside those that are there until they are whole.
@@ -123,13 +129,15 @@ class MergedTables {
 
 }  // namespace
 
-TableInfo mergeShards(const std::vector<std::string>& directories, const std::string& out) {
+std::optional<TableInfo> mergeShards(const std::vector<std::string>& directories,
+                                     const std::string& out, const std::atomic<bool>& stop) {
   const std::vector<ShardTable> shards = shardsIn(directories);
   TableInfo info{shards.front().info.sweep, {}};
   for (const ShardTable& shard : shards) info.ledger.add(shard.info.ledger);
   makeDirectory(out);
   MergedTables tables(out, !info.sweep.fan.empty());
-  for (const std::string& stem : tables.stems()) interleave(shards, stem, tables.part(stem));
+  for (const std::string& stem : tables.stems())
+    if (!interleave(shards, stem, tables.part(stem), stop)) return std::nullopt;
   tables.putInPlace();
   writeText((fs::path(out) / "runs.info").string(), toText(info));
   return info;

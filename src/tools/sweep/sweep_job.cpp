@@ -189,6 +189,7 @@ void SweepJob::run() {
   try {
     makeTables();
   } catch (const WriteError& error) {
+    if (info_.ledger.rows == 0) throw;
     throw std::runtime_error(std::string(error.what()) +
                              "; rows that are written are kept: once it can be written, the same "
                              "command with --resume goes on");
@@ -214,9 +215,9 @@ void SweepJob::makeTables() {
   }
   if (!signals.requested()) written += makeRuns(tables, first + written, all, signals);
   if (first + written == all) return;
-  std::fprintf(stderr,
-               "sweep: stopped after %lld of %lld runs; the same command with --resume goes on\n",
-               static_cast<long long>(first + written), static_cast<long long>(all));
+  std::fprintf(stderr, "sweep: stopped after %lld of %lld runs; the same command %s\n",
+               static_cast<long long>(first + written), static_cast<long long>(all),
+               first + written > 0 ? "with --resume goes on" : "begins anew");
   signals.endIfRequested();
 }
 

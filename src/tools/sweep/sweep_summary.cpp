@@ -107,6 +107,7 @@ SweepSummary summarise(const std::string& path, const SweepInfo& info) {
   const std::size_t longest = longestRow(line);
   std::vector<double> inputs;
   while (lines.next(line, longest)) {
+    summary.digest += digestOfRow(line);
     splitFields(line, fields);
     if (fields.size() != names.size())
       throw std::runtime_error(path + ":" + std::to_string(summary.rows + 2) + ": must have " +

@@ -23,6 +23,9 @@ class TableLines {
   /// after one more, as something that is no line of a table, whatever follows.
   bool next(std::string& line, std::size_t most);
 
+  /// Whether nothing is left of what was read: at the end, whether the last line had one.
+  bool isAtEnd() const { return begin_ == text_.size(); }
+
   /// Up to the end of the line before.
   std::int64_t bytes() const { return bytes_; }
 
