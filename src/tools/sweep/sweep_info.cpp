@@ -1,5 +1,6 @@
 #include "tools/sweep/sweep_info.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "math/counter_draws.hpp"
@@ -80,6 +81,13 @@ bool readLost(std::istream& lines, LostRows& lost) {
          read(lines, "lost_doubtful_at_least", lost.is_at_least);
 }
 
+/// Whether they are numbers of runs, each once, in their order.
+bool areRuns(const std::vector<std::int64_t>& named, std::int64_t runs) {
+  return named.size() <= SweepLedger::kMaxNamed && std::is_sorted(named.begin(), named.end()) &&
+         std::adjacent_find(named.begin(), named.end()) == named.end() &&
+         (named.empty() || (named.front() >= 0 && named.back() < runs));
+}
+
 /// Whether sums of them stay numbers.
 bool isPossible(const TableInfo& info) {
   const auto& [sweep, ledger, lost] = info;
@@ -89,7 +97,7 @@ bool isPossible(const TableInfo& info) {
          isWithin(ledger.refused.count, ledger.rows) &&
          isWithin(ledger.doubtful.count, ledger.rows) && isWithin(lost.rows, sweep.runs) &&
          isWithin(lost.doubtful, lost.rows) && (lost.rows == 0 || lost.rows >= ledger.rows) &&
-         ledger.doubtful_runs.size() <= SweepLedger::kMaxNamed;
+         areRuns(ledger.doubtful_runs, sweep.runs);
 }
 
 }  // namespace
@@ -97,9 +105,9 @@ bool isPossible(const TableInfo& info) {
 std::string toText(const TableInfo& info) {
   const SweepInfo& sweep = info.sweep;
   std::ostringstream lines;
-  lines << kFirstLine << "\ntitle " << sweep.title << "\ndigest " << sweep.digest << "\nruns "
-        << sweep.runs << "\nvaried " << sweep.varied << "\nrecords " << sweep.records << "\nfan "
-        << sweep.fan << "\n"
+  lines << kFirstLine << "\ntitle " << oneLine(sweep.title) << "\ndigest " << sweep.digest
+        << "\nruns " << sweep.runs << "\nvaried " << sweep.varied << "\nrecords " << sweep.records
+        << "\nfan " << oneLine(sweep.fan) << "\n"
         << textOfLedger(info.ledger) << textOfLost(info.lost);
   const std::string text = lines.str();
   return text + "seal " + std::to_string(digestOf({text})) + "\n";

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -216,6 +217,10 @@ TEST(SweepInfo, TakesNoNumbersOfWhichSumsAreNone) {
   EXPECT_FALSE(isTaken([](TableInfo& i) { i.lost.rows = 39; }));
   EXPECT_FALSE(isTaken([](TableInfo& i) { i.lost = {50, 1, 51, false}; }));
   EXPECT_TRUE(isTaken([](TableInfo& i) { i.lost = {50, 1, 50, true}; }));
+  EXPECT_TRUE(isTaken([](TableInfo& i) { i.ledger.doubtful_runs = {0, 7, 99}; }));
+  for (const std::vector<std::int64_t>& named :
+       {std::vector<std::int64_t>{7, 3}, {3, 3}, {-1}, {100}})
+    EXPECT_FALSE(isTaken([&](TableInfo& i) { i.ledger.doubtful_runs = named; }));
 }
 
 }  // namespace rigid_body_sim
