@@ -75,9 +75,12 @@ std::int64_t wholeRows(const std::string& path) {
 std::optional<std::string> beginOf(const std::string& path, std::size_t most) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
-  std::string text(most, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(most));
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  std::string text;
+  std::array<char, 1 << 12> block{};
+  while (text.size() < most && in) {
+    in.read(block.data(), static_cast<std::streamsize>(std::min(block.size(), most - text.size())));
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
   return text;
 }
 

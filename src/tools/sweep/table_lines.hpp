@@ -12,7 +12,7 @@ namespace rigid_body_sim {
 /// have open.
 class TableLines {
  public:
-  static constexpr std::size_t kPiece = 1 << 20;
+  static constexpr std::size_t kPiece = 1 << 17;
 
   /// piece: bytes that are read at once.
   explicit TableLines(std::string path, std::size_t piece = kPiece);
