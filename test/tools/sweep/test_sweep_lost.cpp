@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tools/sweep/kept_rows.hpp"
 #include "tools/sweep/sweep_bench.hpp"
 #include "tools/sweep/sweep_info.hpp"
 
@@ -109,6 +111,25 @@ TEST(SweepProgram, SaysThatAllRowsAreLost) {
         << again.out;
     EXPECT_EQ(test::fileText(bench.table), bench.rows);
     EXPECT_EQ(bench.infoText(), bench.info);
+  }
+}
+
+TEST(KeptRows, AreThoseOfTheirDigestAlone) {
+  const TemporaryDirectory files;
+  const ShardFiles nothing{Shard{}, files.path("")};
+  SweepLedger ledger;
+  ledger.digest = ledger.fan_digest = 5;
+  for (const std::uint64_t digest : {4, 5, 6}) {
+    const auto isTaken = [&](auto require) {
+      try {
+        require();
+        return true;
+      } catch (const std::runtime_error&) {
+        return false;
+      }
+    };
+    EXPECT_EQ(isTaken([&] { requireLedger(nothing, ledger, digest, {}); }), digest == 5);
+    EXPECT_EQ(isTaken([&] { requireFan("fan.csv", ledger, digest); }), digest == 5);
   }
 }
 
