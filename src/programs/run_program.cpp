@@ -13,6 +13,7 @@ namespace rigid_body_sim {
 int runProgram(const std::string& name, const std::function<void()>& body) {
   try {
     reserveStandardStreams();
+    failBeyondFileSize();
     body();
     return kDone;
   } catch (const UsageError& error) {

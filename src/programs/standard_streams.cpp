@@ -1,6 +1,7 @@
 #include "programs/standard_streams.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -22,6 +23,8 @@ void reserveStandardStreams() {
     std::exit(kBadInput);
   }
 }
+
+void failBeyondFileSize() { std::signal(SIGXFSZ, SIG_IGN); }
 
 bool isOpen(std::FILE* stream) { return (fcntl(fileno(stream), F_GETFL) & O_ACCMODE) != O_RDONLY; }
 

@@ -11,6 +11,10 @@ namespace rigid_body_sim {
 /// main; ends the program where /dev/null cannot be opened.
 void reserveStandardStreams();
 
+/// Makes a write beyond the size that a file may have (`ulimit -f`) fail, as one on a full disk
+/// does, where it would end the process without a word.
+void failBeyondFileSize();
+
 /// Throws std::runtime_error where what was written to a stream does not get there. name: as the
 /// message calls it.
 void requireWritten(std::FILE* stream, const std::string& name = "standard output");

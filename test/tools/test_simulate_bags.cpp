@@ -118,9 +118,8 @@ TEST_F(SimulateBags, FileThatTakesNoMoreIsReportedInOneLine) {
   for (const char* output : {"--csv", "--bag"}) {
     // rosbag gives nothing back of a bag that it could not close
     const std::string command =
-        "export ASAN_OPTIONS=detect_leaks=0; ulimit -f 64; trap '' XFSZ; " RIGID_BODY_SIM_SIMULATE
-        " " +
-        scene() + " --duration 100 " + output + " " + path("large") + " >" + path("said") + " 2>&1";
+        "export ASAN_OPTIONS=detect_leaks=0; ulimit -f 64; " RIGID_BODY_SIM_SIMULATE " " + scene() +
+        " --duration 100 " + output + " " + path("large") + " >" + path("said") + " 2>&1";
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1) << output;
     const std::string text = content("said");
     const std::string last = text.substr(text.rfind("simulate: "));

@@ -134,6 +134,7 @@ class DemoPusher {
 
 int main(int argc, char** argv) {
   reserveStandardStreams();
+  failBeyondFileSize();
   if (asksForHelp(argc, argv)) return printHelp("demo_pusher", kHelp);
   if (!initRos(argc, argv, "demo_pusher")) return kWrongUsage;
   DemoPusher pusher;

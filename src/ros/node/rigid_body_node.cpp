@@ -101,6 +101,7 @@ int run(const NodeOptions& options, const Scene& scene) {
 
 int main(int argc, char** argv) {
   reserveStandardStreams();
+  failBeyondFileSize();
   if (asksForHelp(argc, argv)) return printHelp("rigid_body_node", kHelp);
   const std::string fault = missingUnderscore(argc, argv);
   if (!fault.empty()) return refuseUsage(fault);

@@ -1,17 +1,24 @@
 #include "tools/sweep/kept_rows.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 
 #include "tools/sweep/run_table.hpp"
+#include "tools/sweep/table_lines.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
-std::optional<TableInfo> infoBeside(const ShardFiles& files) {
-  return tableInfoIn(textOf(files.path("runs", ".info")).value_or(""));
+/// What tells of which sweep the rows of a table are. Throws where nothing does.
+TableInfo infoBeside(const ShardFiles& files) {
+  const std::string path = files.path("runs", ".info");
+  const std::optional<std::string> text = beginOf(path, kMaxInfoBytes);
+  if (const auto info = tableInfoIn(text.value_or(""))) return *info;
+  throw std::runtime_error(files.path("runs", ".csv") + ": " + path +
+                           ", which says of which sweep the rows are, " + faultOfInfo(text) +
+                           "; put it back, or remove the table to begin anew");
 }
 
 void requireSameSweep(const ShardFiles& files, const SweepInfo& there, const SweepInfo& info) {
@@ -33,25 +40,54 @@ void requireSameSweep(const ShardFiles& files, const SweepInfo& there, const Swe
 SweepLedger ledgerByForm(const ShardFiles& files, const SweepLedger& whole, std::int64_t rows,
                          const RowForm& form) {
   const std::string path = files.path("runs", ".csv");
-  std::ifstream in(path, std::ios::binary);
+  TableLines lines(path);
   std::string line;
-  std::getline(in, line);
+  lines.next(line, std::string::npos);
+  const std::size_t longest = longestRow(line);
   SweepLedger ledger;
   std::vector<std::string_view> fields;
-  for (; ledger.rows < rows && std::getline(in, line); ++ledger.rows) {
+  for (; ledger.rows < rows && lines.next(line, longest); ++ledger.rows) {
     splitFields(line, fields);
     ledger.digest += digestOfRow(line);
     if (!requireForm(fields, form, path + ":" + std::to_string(ledger.rows + 2)))
       ledger.refused.add(files.shard.run(ledger.rows), std::string(fields.back()));
   }
-  const std::int64_t end = files.shard.run(rows);
-  for (const std::int64_t run : whole.doubtful_runs)
-    if (run < end) ledger.addDoubt(run, run == whole.doubtful.first ? whole.doubtful.why : "");
+  ledger.addDoubtsBefore(files.shard.run(rows), whole);
   return ledger;
 }
 
-void keepFan(const ShardFiles& files, const SweepLedger& written, std::int64_t written_rows,
-             const std::string& header, KeptRows& kept) {
+/// Those of the first loss are those that are known to have been written.
+LostRows lostOf(const TableInfo& info) {
+  const SweepLedger& written = info.ledger;
+  if (info.lost.rows > 0) return info.lost;
+  return {written.rows, written.digest, written.doubtful.count, written.doubtful.is_at_least};
+}
+
+/// A table without a row.
+KeptRows nothingKept(const ShardFiles& files, const SweepInfo& info) {
+  KeptRows kept;
+  const auto beside = tableInfoIn(beginOf(files.path("runs", ".info"), kMaxInfoBytes).value_or(""));
+  if (!beside || !isSameSweep(beside->sweep, info) || beside->ledger.rows == 0) return kept;
+  kept.lost = lostOf(*beside);
+  kept.notices.push_back(files.path("runs", ".csv") + ": has lost all its rows, of " +
+                         std::to_string(beside->ledger.rows) + ", which are made again");
+  return kept;
+}
+
+/// Of what is behind the rows that are known: no sweep writes more rows than it has runs; else it
+/// is what was written until a process was killed, and is made again.
+void lookBehind(const std::string& path, const RowsRead& read, std::int64_t rows, std::int64_t all,
+                KeptRows& kept) {
+  std::error_code is_gone;
+  const auto bytes = std::filesystem::file_size(path, is_gone);
+  if (is_gone || static_cast<std::int64_t>(bytes) <= read.bytes) return;
+  if (rows == all) refuseMoreThan(path, all);
+  kept.notices.push_back(path + ": what is behind its first " + std::to_string(rows) +
+                         " rows is not in runs.info, and is made again");
+}
+
+void keepFan(const ShardFiles& files, const SweepInfo& info, const SweepLedger& written,
+             std::int64_t written_rows, const std::string& header, KeptRows& kept) {
   const std::string path = files.path("fan", ".csv");
   if (wholeRows(path) < kept.fan_rows) {
     kept.notices.push_back(path + ": has lost rows, which are made again");
@@ -61,6 +97,7 @@ void keepFan(const ShardFiles& files, const SweepLedger& written, std::int64_t w
   // of fewer rows than were written nothing is known
   if (kept.fan_rows != written_rows) return;
   requireFan(path, written, fan.digest);
+  lookBehind(path, fan, kept.fan_rows, files.shard.runsOf(info.fanRuns()), kept);
   kept.ledger.fan_digest = fan.digest;
   kept.fan_bytes = fan.bytes;
 }
@@ -74,6 +111,12 @@ void requireFan(const std::string& path, const SweepLedger& ledger, std::uint64_
                            "table: remove it, and --resume makes it again");
 }
 
+void refuseMoreThan(const std::string& path, std::int64_t rows) {
+  throw std::runtime_error(path + ": has more than the " + std::to_string(rows) +
+                           " rows of its runs; somebody has changed the table: remove what is "
+                           "behind them, or make its runs anew");
+}
+
 void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint64_t digest,
                    const RowForm& form) {
   if (digest == ledger.digest) return;
@@ -85,27 +128,27 @@ void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint
 
 KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHeaders& headers) {
   const std::string table = files.path("runs", ".csv");
-  KeptRows kept;
   const std::int64_t there = wholeRows(table);
-  if (there == 0) return kept;
-  const std::optional<TableInfo> beside = infoBeside(files);
-  if (!beside)
-    throw std::runtime_error(table + ": " + files.path("runs", ".info") +
-                             ", which says of which sweep the rows are, is not there, or is not "
-                             "whole; put it back, or remove the table to begin anew");
-  requireSameSweep(files, beside->sweep, info);
-  const SweepLedger& written = beside->ledger;
+  if (there == 0) return nothingKept(files, info);
+  KeptRows kept;
+  const TableInfo beside = infoBeside(files);
+  requireSameSweep(files, beside.sweep, info);
+  const SweepLedger& written = beside.ledger;
   const std::int64_t rows = std::min(there, written.rows);
-  if (rows == 0) return kept;
+  if (rows == 0) {
+    kept.notices.push_back(table + ": its rows are not in runs.info, and are made again");
+    return kept;
+  }
   const RowsRead read = readRows(table, headers.runs, rows, files.shard);
+  kept.lost = beside.lost;
   if (rows == written.rows) {
     requireLedger(files, written, read.digest, headers.form);
+    lookBehind(table, read, rows, files.shard.runsOf(info.runs), kept);
     kept.ledger = written;
     kept.ledger.fan_digest = 0;
   } else {
     kept.ledger = ledgerByForm(files, written, rows, headers.form);
-    kept.lost_until = written.rows;
-    kept.lost_digest = written.digest;
+    kept.lost = lostOf(beside);
     kept.notices.push_back(table + ": has lost its last rows, of " + std::to_string(written.rows) +
                            "; of the " + std::to_string(rows) +
                            " that are left only the form could be checked");
@@ -116,7 +159,7 @@ KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHea
   };
   kept.fan_rows = fan_rows(rows);
   if (!info.fan.empty() && kept.fan_rows > 0)
-    keepFan(files, written, fan_rows(written.rows), headers.fan, kept);
+    keepFan(files, info, written, fan_rows(written.rows), headers.fan, kept);
   return kept;
 }
 
@@ -124,7 +167,8 @@ std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info) {
   const std::string table = files.path("runs", ".csv");
   const std::int64_t rows = wholeRows(table);
   if (rows == 0) return "";
-  const std::optional<TableInfo> beside = infoBeside(files);
+  const std::optional<TableInfo> beside =
+      tableInfoIn(beginOf(files.path("runs", ".info"), kMaxInfoBytes).value_or(""));
   const std::int64_t all = beside ? files.shard.runsOf(beside->sweep.runs) : 0;
   if (beside && rows >= all) return "";
   const std::string holds = table + ": holds " + std::to_string(rows) + " " +

@@ -12,12 +12,11 @@ namespace rigid_body_sim {
 
 /// What an interrupted sweep has left that can be gone on with.
 struct KeptRows {
-  SweepLedger ledger{};           ///< of the rows
-  std::int64_t lost_until = 0;    ///< rows that there were, where some are lost; 0: none are
-  std::uint64_t lost_digest = 0;  ///< of these rows
-  std::int64_t bytes = 0;         ///< of the table up to their end
-  std::int64_t fan_rows = 0;      ///< that the fan should have by now
-  std::int64_t fan_bytes = 0;     ///< up to their end; 0: they must be made again
+  SweepLedger ledger{};  ///< of the rows
+  LostRows lost{};
+  std::int64_t bytes = 0;      ///< of the table up to their end
+  std::int64_t fan_rows = 0;   ///< that the fan should have by now
+  std::int64_t fan_bytes = 0;  ///< up to their end; 0: they must be made again
   std::vector<std::string> notices{};
 };
 
@@ -40,7 +39,10 @@ std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info);
 void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint64_t digest,
                    const RowForm& form);
 
-/// The same for the rows of a fan, by the path of that.
+/// Throws std::runtime_error for what is in a whole table behind its rows.
+[[noreturn]] void refuseMoreThan(const std::string& path, std::int64_t rows);
+
+/// The same as requireLedger for the rows of a fan, by the path of that.
 void requireFan(const std::string& path, const SweepLedger& ledger, std::uint64_t digest);
 
 }  // namespace rigid_body_sim

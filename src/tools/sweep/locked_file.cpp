@@ -24,6 +24,7 @@ LockedFile::LockedFile(std::string path) : path_(std::move(path)) {
   if (descriptor_ < 0 || fstat(descriptor_, &file) != 0) failToWrite(path_);
   device_ = file.st_dev;
   inode_ = file.st_ino;
+  size_ = file.st_size;
   // a file system without locks is taken as it is
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(descriptor_);
@@ -36,6 +37,7 @@ LockedFile::LockedFile(LockedFile&& other) noexcept
       descriptor_(std::exchange(other.descriptor_, -1)),
       device_(other.device_),
       inode_(other.inode_),
+      size_(other.size_),
       is_new_(other.is_new_) {}
 
 LockedFile::~LockedFile() {
@@ -43,34 +45,37 @@ LockedFile::~LockedFile() {
 }
 
 void LockedFile::cutTo(std::int64_t bytes) {
-  // a device cannot be cut, and has no rows to keep
-  if (ftruncate(descriptor_, bytes) != 0 && errno != EINVAL) failToWrite(path_);
+  if (ftruncate(descriptor_, bytes) != 0) failToWrite(path_);
+  size_ = bytes;
 }
 
 void LockedFile::requireInPlace() const {
   struct stat file {};
-  if (stat(path_.c_str(), &file) == 0 && file.st_dev == device_ && file.st_ino == inode_) return;
-  throw std::runtime_error(path_ +
-                           ": was removed, moved or replaced while this sweep wrote it; put it "
-                           "back, and the same command with --resume goes on, or begin anew");
+  if (stat(path_.c_str(), &file) != 0 || file.st_dev != device_ || file.st_ino != inode_)
+    throw std::runtime_error(path_ +
+                             ": was removed, moved or replaced while this sweep wrote it; put it "
+                             "back, and the same command with --resume goes on, or begin anew");
+  if (file.st_size != size_)
+    throw std::runtime_error(path_ +
+                             ": was cut or added to by another program while this sweep wrote it; "
+                             "the same command with --resume goes on with what is left of it");
 }
 
 void LockedFile::append(const std::string& text) {
   requireInPlace();
-  const off_t before = lseek(descriptor_, 0, SEEK_END);
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t n = write(descriptor_, text.data() + done, text.size() - done);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
       const int why = errno;
-      // a device cannot be cut, and has no rows to keep whole
-      const bool is_cut = before >= 0 && ftruncate(descriptor_, before) == 0;
+      const bool is_cut = ftruncate(descriptor_, size_) == 0;
       static_cast<void>(is_cut);
       errno = why;
       failToWrite(path_);
     }
     done += static_cast<std::size_t>(n);
   }
+  size_ += static_cast<std::int64_t>(text.size());
 }
 
 }  // namespace rigid_body_sim

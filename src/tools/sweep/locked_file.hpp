@@ -34,16 +34,18 @@ class LockedFile {
   void cutTo(std::int64_t bytes);
 
   /// Appends all of a text, or nothing. Throws std::runtime_error where it cannot, or where the
-  /// file is no longer the one of its path, so that what is written would be lost.
+  /// file is not in place.
   void append(const std::string& text);
 
-  /// Throws std::runtime_error where it is no longer the file of its path.
+  /// Throws std::runtime_error where it is no longer the file of its path, so that what is written
+  /// would be lost, or has another length than was written.
   void requireInPlace() const;
 
  private:
   std::string path_;
   int descriptor_ = -1;
   std::uint64_t device_ = 0, inode_ = 0;
+  std::int64_t size_ = 0;  // of what was written to its end
   bool is_new_ = false;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -12,64 +11,28 @@
 #include "tools/sweep/other_tables.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/shard_set.hpp"
+#include "tools/sweep/table_lines.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The lines of a table, read piece by piece: there may be more shards than files that a process
-/// may have open.
-class TableLines {
- public:
-  TableLines(std::string path, std::size_t piece) : path_(std::move(path)), piece_(piece) {}
-
-  const std::string& path() const { return path_; }
-
-  /// False at the end.
-  bool next(std::string& line) {
-    std::size_t end = 0;
-    while ((end = text_.find('\n', begin_)) == std::string::npos)
-      if (!readOn()) return false;
-    line.assign(text_, begin_, end - begin_);
-    begin_ = end + 1;
-    return true;
-  }
-
- private:
-  bool readOn() {
-    std::ifstream in(path_, std::ios::binary);
-    in.seekg(offset_);
-    text_.erase(0, begin_);
-    begin_ = 0;
-    const std::size_t kept = text_.size();
-    text_.resize(kept + piece_);
-    in.read(text_.data() + kept, static_cast<std::streamsize>(piece_));
-    text_.resize(kept + static_cast<std::size_t>(in.gcount()));
-    offset_ += in.gcount();
-    return in.gcount() > 0;
-  }
-
-  std::string path_;
-  std::size_t piece_;
-  std::streamoff offset_ = 0;  // of what is to be read next
-  std::string text_;
-  std::size_t begin_ = 0;  // in the text, of the next line
-};
-
 /// A table of a shard that is read.
 struct OpenShard {
   const ShardTable& shard;
   TableLines lines;
   std::uint64_t digest = 0;  // of the rows that were read
+  std::int64_t rows = 0;     // that were read
 };
 
-/// Refuses rows which are not those that a shard has written.
+/// Refuses rows which are not those that a shard has written, and what is behind them.
 void requireWritten(const std::vector<OpenShard>& tables, const std::string& stem,
                     const std::string& header) {
   const auto columns = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',') + 1);
   for (const OpenShard& table : tables) {
-    const auto& [sweep, ledger] = table.shard.info;
+    const auto& [sweep, ledger, lost] = table.shard.info;
+    if (!table.lines.isAtEnd()) refuseMoreThan(table.lines.path(), table.rows);
     if (stem == "runs")
       requireLedger(table.shard.files, ledger, table.digest,
                     {columns, sweep.varied, sweep.records});
@@ -79,38 +42,44 @@ void requireWritten(const std::vector<OpenShard>& tables, const std::string& ste
 }
 
 /// One line of each table in turn, as long as there are any. Shards differ by one row at most.
-void interleave(const std::vector<ShardTable>& shards, const std::string& stem,
-                const std::string& out) {
-  constexpr std::size_t kPiece = 1 << 20, kAllPieces = 16 << 20;
-  const std::size_t piece = std::clamp<std::size_t>(kAllPieces / shards.size(), 4096, kPiece);
+/// False where it is told to stop.
+bool interleave(const std::vector<ShardTable>& shards, const std::string& stem,
+                const std::string& out, const std::atomic<bool>& stop) {
+  constexpr std::size_t kAllPieces = 16 << 20;
+  const std::size_t piece =
+      std::clamp<std::size_t>(kAllPieces / shards.size(), 4096, TableLines::kPiece);
   std::vector<OpenShard> tables;
   std::string line, header;
   for (const ShardTable& shard : shards) {
     tables.push_back({shard, TableLines(shard.files.path(stem, ".csv"), piece)});
     TableLines& lines = tables.back().lines;
-    if (!lines.next(line)) throw std::runtime_error(lines.path() + ": cannot be read");
-    if (tables.size() == 1) header = line;
-    if (line != header)
+    if (tables.size() == 1 && !lines.next(header, std::string::npos))
+      throw std::runtime_error(lines.path() + ": cannot be read");
+    if (tables.size() > 1 && (!lines.next(line, header.size()) || line != header))
       throw std::runtime_error(lines.path() + ":1: has other columns than " +
                                tables.front().lines.path());
   }
   RunTable merged = RunTable::create(LockedFile(out), header);
+  const std::size_t longest = longestRow(header);
   std::string rows;
   bool any = true;
   for (std::int64_t row = 0; any; ++row) {
+    if (stop) return false;
     any = false;
     for (OpenShard& table : tables)
-      if (table.lines.next(line)) {
+      if (table.lines.next(line, longest)) {
         requireRowInPlace(table.lines.path(), row, line, table.shard.files.shard);
         table.digest += digestOfRow(line);
+        ++table.rows;
         any = true;
         rows += line + "\n";
       }
-    if (rows.size() < kPiece && any) continue;
+    if (rows.size() < TableLines::kPiece && any) continue;
     merged.append(rows);
     rows.clear();
   }
   requireWritten(tables, stem, header);
+  return true;
 }
 
 /// The tables that are made in a directory, beside those that are there until they are whole.
@@ -118,9 +87,9 @@ class MergedTables {
  public:
   /// Throws std::runtime_error where a sweep writes them, or where they are not of a sweep.
   MergedTables(const fs::path& directory, bool has_fan)
-      : directory_(directory), lock_((directory / "runs.csv").string()) {
+      : directory_(checked(directory, has_fan)), lock_((directory / "runs.csv").string()) {
     if (has_fan) stems_.push_back("fan");
-    for (const std::string& stem : stems_) requireTableOfASweep(path(stem), stem);
+    for (const std::string& stem : stems_) requireTableOfASweep(part(stem), stem);
   }
 
   MergedTables(const MergedTables&) = delete;
@@ -143,6 +112,11 @@ class MergedTables {
   }
 
  private:
+  /// Before the table is made where it is not there.
+  static const fs::path& checked(const fs::path& directory, bool has_fan) {
+    requireFilesOfASweep({Shard{}, directory}, has_fan);
+    return directory;
+  }
   std::string path(const std::string& stem) const {
     return (directory_ / (stem + ".csv")).string();
   }
@@ -155,13 +129,15 @@ class MergedTables {
 
 }  // namespace
 
-TableInfo mergeShards(const std::vector<std::string>& directories, const std::string& out) {
+std::optional<TableInfo> mergeShards(const std::vector<std::string>& directories,
+                                     const std::string& out, const std::atomic<bool>& stop) {
   const std::vector<ShardTable> shards = shardsIn(directories);
   TableInfo info{shards.front().info.sweep, {}};
   for (const ShardTable& shard : shards) info.ledger.add(shard.info.ledger);
   makeDirectory(out);
   MergedTables tables(out, !info.sweep.fan.empty());
-  for (const std::string& stem : tables.stems()) interleave(shards, stem, tables.part(stem));
+  for (const std::string& stem : tables.stems())
+    if (!interleave(shards, stem, tables.part(stem), stop)) return std::nullopt;
   tables.putInPlace();
   writeText((fs::path(out) / "runs.info").string(), toText(info));
   return info;

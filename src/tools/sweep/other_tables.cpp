@@ -1,12 +1,21 @@
 #include "tools/sweep/other_tables.hpp"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <vector>
 
+#include "tools/sweep/run_table.hpp"
+#include "tools/sweep/sweep_info.hpp"
+#include "tools/sweep/sweep_plot.hpp"
+#include "tools/sweep/sweep_summary.hpp"
+
 namespace rigid_body_sim {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// "all runs", "shard 2 of 4"
 std::string inWords(const Shard& shard) {
@@ -21,27 +30,53 @@ std::string inWords(const Shard& shard) {
       "or name another --out, or remove it");
 }
 
-/// Whether a sweep may have written the file.
-bool isTableOfASweep(const std::string& path, const std::string& stem) {
-  std::error_code is_gone;
-  // a device has no rows to lose
-  if (!std::filesystem::is_regular_file(path, is_gone)) return true;
-  std::ifstream in(path, std::ios::binary);
-  std::string line;
-  if (!std::getline(in, line)) return true;
-  const std::string head = "run,", tail = ",attitude_error,position_error,status";
-  // the header may be cut where a disk was full
-  const bool is_whole = !in.eof();
-  return line.compare(0, head.size(), head) == 0 &&
-         (stem != "runs" || !is_whole ||
-          (line.size() > tail.size() &&
-           line.compare(line.size() - tail.size(), tail.size(), tail) == 0));
+/// Reads a line, of which the last bytes are kept; whether it has an end.
+bool readLineEnd(std::istream& in, std::size_t most, std::string& last) {
+  std::array<char, 1 << 12> block{};
+  while (in.read(block.data(), block.size()) || in.gcount() > 0) {
+    const char* const block_end = block.data() + in.gcount();
+    const char* const line_end = std::find<const char*>(block.data(), block_end, '\n');
+    last.append(block.data(), static_cast<std::size_t>(line_end - block.data()));
+    last.erase(0, last.size() - std::min(last.size(), most));
+    if (line_end != block_end) return true;
+  }
+  return false;
 }
+
+/// Whether a sweep may have written the file, as its first line says, however long that is.
+bool isTableOfASweep(const std::string& path, const std::string& stem) {
+  const std::string head = "run,", tail = ",attitude_error,position_error,status";
+  const std::string begin = beginOf(path, head.size()).value_or("");
+  if (begin.empty()) return true;
+  std::ifstream in(path, std::ios::binary);
+  std::string last;
+  // the header may be cut where a disk was full
+  const bool is_whole = readLineEnd(in, tail.size(), last);
+  return begin == head.substr(0, begin.size()) && (stem != "runs" || !is_whole || last == tail);
+}
+
+/// Throws for a file that a test on its first bytes does not take for one of a sweep.
+template <class IsOfASweep>
+void requireBegin(const std::string& path, const IsOfASweep& isOfASweep) {
+  constexpr std::size_t kMost = 1024;
+  const std::string begin = beginOf(path, kMost).value_or("");
+  if (!begin.empty() && !isOfASweep(begin))
+    throw std::runtime_error(
+        path + ": is not of a sweep, and would be replaced; remove it, or name another --out");
+}
+
+/// Which may be cut where a disk was full.
+auto beginsWith(const std::string& mark) {
+  return [mark](const std::string& begin) {
+    return begin.compare(0, mark.size(), mark, 0, begin.size()) == 0;
+  };
+}
+
+bool isPlotOfASweep(const std::string& begin) { return begin.find(kPlotMark) != std::string::npos; }
 
 }  // namespace
 
 void refuseOtherDivisions(const std::string& directory, const Shard& shard) {
-  namespace fs = std::filesystem;
   bool has_same = false;
   for (const fs::directory_entry& file : fs::directory_iterator(directory)) {
     const auto other = shardOfTable(file.path().filename().string());
@@ -55,10 +90,38 @@ void refuseOtherDivisions(const std::string& directory, const Shard& shard) {
     refuse(whole.string(), Shard{}, shard);
 }
 
+void requireRegular(const std::string& path) {
+  std::error_code is_gone;
+  const fs::file_status there = fs::status(path, is_gone);
+  if (fs::exists(there) && !fs::is_regular_file(there))
+    throw std::runtime_error(path + ": is no regular file");
+}
+
 void requireTableOfASweep(const std::string& path, const std::string& stem) {
+  requireRegular(path);
   if (!isTableOfASweep(path, stem))
     throw std::runtime_error(
         path + ": is no table of a sweep, and would be replaced; remove it, or name another --out");
+}
+
+void requireFilesOfASweep(const ShardFiles& files, bool has_fan) {
+  requireTableOfASweep(files.path("runs", ".csv"), "runs");
+  if (has_fan) requireTableOfASweep(files.path("fan", ".csv"), "fan");
+  const std::string info = files.path("runs", ".info");
+  requireRegular(info);
+  requireBegin(info, beginsWith(kInfoMark));
+  if (files.shard.count > 1) return;
+  const std::string summary = (files.directory / "summary.csv").string(),
+                    plot = (files.directory / "sweep.svg").string();
+  for (const std::string& path : {summary, plot}) requireRegular(path);
+  requireBegin(summary, beginsWith(kSummaryMark));
+  requireBegin(plot, isPlotOfASweep);
+}
+
+void requireSceneOfASweep(const std::string& path) {
+  std::error_code is_gone;
+  // a pipe may be written, too
+  if (fs::is_regular_file(path, is_gone)) requireBegin(path, beginsWith("# run "));
 }
 
 void removeOldResults(const ShardFiles& files, bool has_fan) {
@@ -70,7 +133,7 @@ void removeOldResults(const ShardFiles& files, bool has_fan) {
   if (!has_fan && isTableOfASweep(fan, "fan")) old.push_back(fan);
   std::error_code kept;
   for (const std::string& path : old)
-    if (std::filesystem::is_regular_file(path, kept)) std::filesystem::remove(path, kept);
+    if (fs::is_regular_file(path, kept)) fs::remove(path, kept);
 }
 
 }  // namespace rigid_body_sim

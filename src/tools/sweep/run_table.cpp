@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <charconv>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "scene/files/write_file.hpp"
 #include "scene/message_text.hpp"
 #include "tools/sweep/sweep_ledger.hpp"
+#include "tools/sweep/table_lines.hpp"
 
 namespace rigid_body_sim {
 
@@ -34,20 +34,20 @@ RunTable RunTable::reopen(LockedFile file, std::int64_t bytes) {
 
 RowsRead readRows(const std::string& path, const std::string& header, std::int64_t rows,
                   const Shard& shard) {
-  std::ifstream in(path, std::ios::binary);
+  TableLines lines(path);
   std::string line;
-  std::getline(in, line);
-  if (line != header)
+  if (!lines.next(line, header.size()) || line != header)
     throw std::runtime_error(path +
                              ":1: has other columns than this sweep; remove it to begin anew");
+  const std::size_t longest = longestRow(header);
   RowsRead read;
   for (std::int64_t row = 0; row < rows; ++row) {
-    if (!std::getline(in, line) || in.eof())
+    if (!lines.next(line, longest))
       throw std::runtime_error(path + ": has fewer rows than a moment ago");
     requireRowInPlace(path, row, line, shard);
     read.digest += digestOfRow(line);
   }
-  read.bytes = static_cast<std::int64_t>(in.tellg());
+  read.bytes = lines.bytes();
   return read;
 }
 
@@ -72,12 +72,16 @@ std::int64_t wholeRows(const std::string& path) {
   return std::max<std::int64_t>(0, lines - 1);
 }
 
-std::optional<std::string> textOf(const std::string& path) {
+std::optional<std::string> beginOf(const std::string& path, std::size_t most) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+  std::string text;
+  std::array<char, 1 << 12> block{};
+  while (text.size() < most && in) {
+    in.read(block.data(), static_cast<std::streamsize>(std::min(block.size(), most - text.size())));
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  return text;
 }
 
 void writeText(const std::string& path, const std::string& text) {

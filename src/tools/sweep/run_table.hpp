@@ -25,7 +25,7 @@ class RunTable {
   /// take them.
   void append(const std::string& rows) { file_.append(rows); }
 
-  /// Throws std::runtime_error where it is no longer the file of its path.
+  /// Throws std::runtime_error where it is no longer the file of its path, or of another length.
   void requireInPlace() const { file_.requireInPlace(); }
 
  private:
@@ -53,8 +53,8 @@ void requireRowInPlace(const std::string& path, std::int64_t row, const std::str
 /// Whole rows of a table after its header; 0 where there is no file.
 std::int64_t wholeRows(const std::string& path);
 
-/// The whole text of a small file; none where there is no file.
-std::optional<std::string> textOf(const std::string& path);
+/// The first bytes of a file, at most so many; none where there is no file.
+std::optional<std::string> beginOf(const std::string& path, std::size_t most);
 
 /// Writes a small file, which is there as a whole or as it was before. Throws WriteError.
 void writeText(const std::string& path, const std::string& text);

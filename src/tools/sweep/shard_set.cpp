@@ -5,6 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "tools/sweep/kept_rows.hpp"
+#include "tools/sweep/other_tables.hpp"
 #include "tools/sweep/run_table.hpp"
 
 namespace rigid_body_sim {
@@ -60,13 +62,16 @@ void requireAll(const ShardsByNumber& shards) {
 
 TableInfo infoOf(const ShardFiles& files) {
   const std::string path = files.path("runs", ".info");
-  const auto info = tableInfoIn(textOf(path).value_or(""));
-  if (!info) throw std::runtime_error(path + ": is not there, or not of a sweep");
+  requireRegular(path);
+  const std::optional<std::string> text = beginOf(path, kMaxInfoBytes);
+  const auto info = tableInfoIn(text.value_or(""));
+  if (!info) throw std::runtime_error(path + ": " + faultOfInfo(text));
   return *info;
 }
 
 void requireRows(const std::string& path, std::int64_t rows, std::int64_t all) {
-  if (rows != all)
+  if (rows > all) refuseMoreThan(path, all);
+  if (rows < all)
     throw std::runtime_error(path + ": has " + std::to_string(rows) + " of " + std::to_string(all) +
                              " rows; finish it with --resume");
 }
@@ -78,6 +83,7 @@ std::vector<ShardTable> shardsIn(const std::vector<std::string>& directories) {
   requireAll(shards);
   std::vector<ShardTable> tables;
   for (const auto& [number, files] : shards) {
+    for (const char* stem : {"runs", "fan"}) requireRegular(files.path(stem, ".csv"));
     tables.push_back({files, infoOf(files)});
     const TableInfo &info = tables.back().info, &first = tables.front().info;
     const std::string path = files.path("runs", ".csv");
@@ -88,6 +94,10 @@ std::vector<ShardTable> shardsIn(const std::vector<std::string>& directories) {
     requireRows(path, wholeRows(path), all);
     // rows that were not known to be whole when the shard was ended
     requireRows(path, info.ledger.rows, all);
+    if (info.lost.rows > 0)
+      throw std::runtime_error(path +
+                               ": had lost rows, and was ended before those that were made "
+                               "again were checked; finish it with --resume");
     if (info.sweep.fan.empty()) continue;
     const std::string fan = files.path("fan", ".csv");
     requireRows(fan, wholeRows(fan), files.shard.runsOf(info.sweep.fanRuns()));

@@ -10,8 +10,10 @@
 #include "programs/tool_scene.hpp"
 #include "programs/usage.hpp"
 #include "tools/common/gnuplot.hpp"
+#include "tools/sweep/kept_rows.hpp"
 #include "tools/sweep/merge_shards.hpp"
 #include "tools/sweep/run_table.hpp"
+#include "tools/sweep/stop_signals.hpp"
 #include "tools/sweep/sweep_job.hpp"
 #include "tools/sweep/sweep_plot.hpp"
 
@@ -22,8 +24,9 @@ namespace {
 void notify(const SweepLedger& ledger) {
   const auto say = [](const NotedRuns& runs, const std::string& one, const std::string& more) {
     if (runs.count > 0)
-      SweepJob::notify(std::to_string(runs.count) + (runs.count == 1 ? one : more) +
-                       "; the first is run " + std::to_string(runs.first) + ": " + runs.why);
+      SweepJob::notify((runs.is_at_least ? "at least " : "") + std::to_string(runs.count) +
+                       (runs.count == 1 ? one : more) + "; the first is run " +
+                       std::to_string(runs.first) + ": " + runs.why);
   };
   say(ledger.refused, " run has no result", " runs have no result");
   say(ledger.doubtful, " run may have an error beyond the tolerance (runs.info says which)",
@@ -31,9 +34,13 @@ void notify(const SweepLedger& ledger) {
 }
 
 /// What is made of the whole table.
-void report(const SweepInfo& info, const std::string& directory) {
+void report(const TableInfo& table, const std::string& directory) {
   const std::filesystem::path out = directory;
+  const SweepInfo& info = table.sweep;
   const SweepSummary summary = summarise((out / "runs.csv").string(), info);
+  // meanwhile somebody may have changed them
+  requireLedger({Shard{}, out}, table.ledger, summary.digest,
+                {summary.columns(), info.varied, info.records});
   try {
     writeText((out / "summary.csv").string(), summaryCsv(summary));
   } catch (const WriteError& error) {
@@ -66,10 +73,22 @@ void requireDistinctFiles(const SweepOptions& options) {
   requireDistinct(files);
 }
 
+/// Ends the process where it is asked to end.
+TableInfo mergedTable(const SweepOptions& options) {
+  const StopSignals signals;
+  const auto info = mergeShards(options.merge, options.directory(), signals.requested());
+  if (signals.requested())
+    std::fprintf(stderr, "sweep: stopped: %s\n",
+                 info ? "the shards are merged, and the same command makes the summary"
+                      : "nothing is merged, and what was there is as it was");
+  signals.endIfRequested();
+  return info.value();
+}
+
 void merge(const SweepOptions& options) {
-  const TableInfo info = mergeShards(options.merge, options.directory());
+  const TableInfo info = mergedTable(options);
   notify(info.ledger);
-  report(info.sweep, options.directory());
+  report(info, options.directory());
 }
 
 void run(const SweepOptions& options) {
@@ -81,7 +100,7 @@ void run(const SweepOptions& options) {
   const Shard& shard = options.launched.shard;
   job.run();
   notify(job.info().ledger);
-  if (shard.count == 1) return report(job.info().sweep, options.directory());
+  if (shard.count == 1) return report(job.info(), options.directory());
   print("shard " + std::to_string(shard.index) + " of " + std::to_string(shard.count) +
         (options.launched.by.empty() ? "" : " (" + options.launched.by + ")") +
         " is done; once all are: sweep merge " + options.directory() + "\n");

@@ -28,12 +28,23 @@ struct SweepInfo {
 /// What stands beside a table.
 struct TableInfo {
   SweepInfo sweep;
-  SweepLedger ledger;  ///< of the rows that are known to be whole
+  SweepLedger ledger{};  ///< of the rows that are known to be whole
+  LostRows lost{};       ///< until they are there again
 };
 
-/// One line per member, and back. Of a text that is none: nothing.
+/// One line per member, and a last one that seals them; and back. Of a text that is not what was
+/// written, to the last byte: nothing.
 std::string toText(const TableInfo& info);
 std::optional<TableInfo> tableInfoIn(const std::string& text);
+
+/// Why the text of a file, or no file, is none, such as "is not there".
+std::string faultOfInfo(const std::optional<std::string>& text);
+
+/// With which the text begins, whatever version wrote it.
+constexpr const char* kInfoMark = "rigid_body_sim sweep ";
+
+/// More bytes than it has.
+constexpr std::size_t kMaxInfoBytes = 1 << 20;
 
 /// Whether their rows belong together, whatever the names of their files.
 bool isSameSweep(const SweepInfo& a, const SweepInfo& b);

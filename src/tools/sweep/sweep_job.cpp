@@ -105,6 +105,7 @@ std::string SweepJob::writeScene(std::int64_t number) {
   makeDirectory(options_.directory());
   const std::string path =
       (std::filesystem::path(options_.directory()) / sceneName(number)).string();
+  requireSceneOfASweep(path);
   std::string heading = "# run " + std::to_string(number) + " of ";
   // whose values depend on it
   if (inputs_.study.latin_hypercube) heading += std::to_string(info_.sweep.runs) + " runs of ";
@@ -144,8 +145,6 @@ TableHeaders SweepJob::headers() const {
 
 /// What is gone on with; nothing where the tables begin anew.
 KeptRows SweepJob::rowsToKeep() const {
-  requireTableOfASweep(files_.path("runs", ".csv"), "runs");
-  if (!info_.sweep.fan.empty()) requireTableOfASweep(files_.path("fan", ".csv"), "fan");
   KeptRows kept;
   if (options_.resume)
     kept = keptRows(files_, info_.sweep, headers());
@@ -162,6 +161,7 @@ SweepJob::Tables SweepJob::openTables(LockedFile runs, const KeptRows& kept) {
   };
   const TableHeaders first = headers();
   info_.ledger = kept.ledger;
+  info_.lost = kept.lost;
   if (kept.bytes == 0) removeOldResults(files_, !info_.sweep.fan.empty());
   // before any row: rows without a description cannot be gone on with
   writeInfo();
@@ -189,6 +189,7 @@ void SweepJob::run() {
   try {
     makeTables();
   } catch (const WriteError& error) {
+    if (info_.ledger.rows == 0) throw;
     throw std::runtime_error(std::string(error.what()) +
                              "; rows that are written are kept: once it can be written, the same "
                              "command with --resume goes on");
@@ -198,6 +199,7 @@ void SweepJob::run() {
 void SweepJob::makeTables() {
   makeDirectory(options_.directory());
   refuseOtherDivisions(options_.directory(), shard_);
+  requireFilesOfASweep(files_, !info_.sweep.fan.empty());
   LockedFile runs(files_.path("runs", ".csv"));
   const KeptRows kept = rowsToKeep();
   const StopSignals signals;
@@ -207,20 +209,32 @@ void SweepJob::makeTables() {
   addRunners(std::max(all - first, needs_fan ? kept.fan_rows : 0));
   if (needs_fan) makeFanAgain(*tables.fan, kept.fan_rows, signals);
   std::int64_t written = 0;
-  if (kept.lost_until > first) {
-    written = makeRuns(tables, first, kept.lost_until, signals);
-    if (first + written == kept.lost_until && info_.ledger.digest != kept.lost_digest)
-      notify(files_.path("runs", ".csv") +
-             ": with the runs that were lost its rows are not those that were written: somebody "
-             "has changed it, or this machine computes other digits; to be sure, remove it and "
-             "make its runs anew");
+  if (kept.lost.rows > 0) {
+    written = makeRuns(tables, first, kept.lost.rows, signals);
+    if (first + written == kept.lost.rows) endLoss();
   }
   if (!signals.requested()) written += makeRuns(tables, first + written, all, signals);
   if (first + written == all) return;
-  std::fprintf(stderr,
-               "sweep: stopped after %lld of %lld runs; the same command with --resume goes on\n",
-               static_cast<long long>(first + written), static_cast<long long>(all));
+  std::fprintf(stderr, "sweep: stopped after %lld of %lld runs; the same command %s\n",
+               static_cast<long long>(first + written), static_cast<long long>(all),
+               first + written > 0 ? "with --resume goes on" : "begins anew");
   signals.endIfRequested();
+}
+
+/// The rows that were lost are there again.
+void SweepJob::endLoss() {
+  NotedRuns& doubtful = info_.ledger.doubtful;
+  if (info_.ledger.digest != info_.lost.digest)
+    notify(files_.path("runs", ".csv") +
+           ": with the runs that were lost its rows are not those that were written: somebody "
+           "has changed it, or this machine computes other digits; to be sure, remove it and "
+           "make its runs anew");
+  else if (!info_.lost.is_at_least) {
+    doubtful.count = info_.lost.doubtful;
+    doubtful.is_at_least = false;
+  }
+  info_.lost = {};
+  writeInfo();
 }
 
 /// Of runs whose rows are there.

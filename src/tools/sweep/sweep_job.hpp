@@ -49,6 +49,7 @@ class SweepJob {
   void makeFanAgain(RunTable& fan, std::int64_t rows, const StopSignals& signals);
   std::int64_t makeRuns(Tables& tables, std::int64_t first, std::int64_t all,
                         const StopSignals& signals);
+  void endLoss();
   void writeInfo();
   void writeInfoSometimes(const Tables& tables);
   void keepInfo() const;

@@ -8,7 +8,9 @@
 
 namespace rigid_body_sim {
 
-void NotedRuns::add(std::int64_t run, const std::string& reason) { add(NotedRuns{1, run, reason}); }
+void NotedRuns::add(std::int64_t run, const std::string& reason) {
+  add(NotedRuns{1, run, reason, false});
+}
 
 void NotedRuns::add(const NotedRuns& more) {
   if (more.count > 0 && (count == 0 || more.first < first)) {
@@ -16,11 +18,22 @@ void NotedRuns::add(const NotedRuns& more) {
     why = more.why;
   }
   count += more.count;
+  is_at_least |= more.is_at_least;
 }
 
 void SweepLedger::addDoubt(std::int64_t run, const std::string& reason) {
   doubtful.add(run, reason);
   if (doubtful_runs.size() < kMaxNamed) doubtful_runs.push_back(run);
+}
+
+void SweepLedger::addDoubtsBefore(std::int64_t end, const SweepLedger& all) {
+  for (const std::int64_t run : all.doubtful_runs)
+    if (run < end) addDoubt(run, run == all.doubtful.first ? all.doubtful.why : "");
+  // beyond the last that is named there may be others
+  const bool names_all = !all.doubtful.is_at_least &&
+                         all.doubtful.count == static_cast<std::int64_t>(all.doubtful_runs.size());
+  const bool names_beyond = !all.doubtful_runs.empty() && all.doubtful_runs.back() >= end;
+  doubtful.is_at_least |= !names_all && !names_beyond;
 }
 
 void SweepLedger::add(const SweepLedger& more) {

@@ -12,6 +12,8 @@ struct NotedRuns {
   std::int64_t count = 0;
   std::int64_t first = 0;  ///< its number
   std::string why;         ///< of the first
+  /// There may be more: of rows that are left where others were lost not all is known.
+  bool is_at_least = false;
 
   void add(std::int64_t run, const std::string& reason);
   void add(const NotedRuns& more);
@@ -30,8 +32,20 @@ struct SweepLedger {
 
   void addDoubt(std::int64_t run, const std::string& reason);
 
+  /// Of the first rows of a table what is known of their doubtful runs, by the ledger of all: those
+  /// of which the numbers are less than an end.
+  void addDoubtsBefore(std::int64_t end, const SweepLedger& all);
+
   /// Of two parts what is known of both: in any order the same.
   void add(const SweepLedger& more);
+};
+
+/// Rows that there were where some of them were lost: made again, they must be the same.
+struct LostRows {
+  std::int64_t rows = 0;  ///< 0: none are lost
+  std::uint64_t digest = 0;
+  std::int64_t doubtful = 0;  ///< runs among them, where that is known
+  bool is_at_least = false;   ///< else
 };
 
 /// A hash of a row without its end of line. Tables are told apart by the sums of those of their

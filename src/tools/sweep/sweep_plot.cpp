@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "scene/files/number_text.hpp"
 #include "scene/message_text.hpp"
 #include "tools/common/gnuplot.hpp"
+#include "tools/sweep/table_fields.hpp"
+#include "tools/sweep/table_lines.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -54,22 +56,19 @@ void writePoints(const ColumnSummary& x, const ColumnSummary& y, std::ostream& s
 /// The instants of the fan and percentiles of the quantity there: time, 5, 25, 50, 75, 95 %.
 /// Returns what all of it is like; of no values, where there is none.
 ColumnSummary writeFan(const std::string& fan_csv, std::ostream& script) {
-  std::ifstream in(fan_csv);
-  std::string line, field;
-  std::vector<std::string> times;
-  std::vector<ColumnSummary> columns;
+  TableLines lines(fan_csv);
+  std::string header, line;
+  std::vector<std::string_view> times, fields;
   ColumnSummary all;
-  if (!std::getline(in, line)) return all;
-  std::istringstream header(line);
-  std::getline(header, field, ',');
-  while (std::getline(header, field, ',')) times.push_back(field);
-  columns.resize(times.size());
-  while (std::getline(in, line)) {
-    std::istringstream row(line);
-    std::getline(row, field, ',');
-    for (std::size_t k = 0; k < columns.size() && std::getline(row, field, ','); ++k) {
+  if (!lines.next(header, std::string::npos)) return all;
+  splitFields(header, times);
+  std::vector<ColumnSummary> columns(times.size());  // that of the run stays empty
+  const std::size_t longest = longestRow(header);
+  while (lines.next(line, longest)) {
+    splitFields(line, fields);
+    for (std::size_t k = 1; k < std::min(columns.size(), fields.size()); ++k) {
       double x = 0;
-      if (!readNumberText(field.data(), field.data() + field.size(), x)) continue;
+      if (!readNumberText(fields[k].data(), fields[k].data() + fields[k].size(), x)) continue;
       columns[k].kept.push_back(x);
       all.add(x);
     }
@@ -154,7 +153,8 @@ void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::st
   if (!info.fan.empty()) all_of_fan = writeFan(fan_csv, fan);
   const bool has_fan = all_of_fan.count > 0 && hasRange(all_of_fan);
   if (has_fan) script << "$fan << EOD\n" << fan.str() << "EOD\n";
-  script << "set terminal svg size 1000,900 noenhanced font 'sans,13' background 'white'\n"
+  script << "set terminal svg size 1000,900 name 'rigid_body_sim_sweep' noenhanced font 'sans,13' "
+            "background 'white'\n"
          << "set output " << gnuplotText(svg) << "\nset multiplot title "
          << gnuplotText(oneLine(info.title) + ": " + std::to_string(summary.done) + " runs") << "\n"
          << "set grid lc rgb '#dddddd'\nset style fill solid noborder\nset boxwidth 0.9 relative\n"

@@ -6,6 +6,9 @@
 
 namespace rigid_body_sim {
 
+/// What stands in the first lines of the picture, and in that of no other program.
+constexpr const char* kPlotMark = "<title>rigid_body_sim_sweep</title>";
+
 /// Draws up to three results: how they are distributed, each against the varied value that it goes
 /// most with, and the fan of a quantity over time from fan.csv. Throws std::runtime_error where
 /// gnuplot fails.

@@ -1,13 +1,13 @@
 #include "tools/sweep/sweep_summary.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "programs/formatted.hpp"
 #include "scene/files/number_text.hpp"
 #include "tools/sweep/table_fields.hpp"
+#include "tools/sweep/table_lines.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -94,18 +94,20 @@ std::string tableRow(const SweepSummary& summary, const ColumnSummary& column,
 }  // namespace
 
 SweepSummary summarise(const std::string& path, const SweepInfo& info) {
-  std::ifstream in(path, std::ios::binary);
+  TableLines lines(path);
   std::string line;
   std::vector<std::string_view> fields;
-  if (!std::getline(in, line)) throw std::runtime_error(path + ": cannot be read");
+  if (!lines.next(line, std::string::npos)) throw std::runtime_error(path + ": cannot be read");
   splitFields(line, fields);
   std::vector<std::string> names;
   for (const std::string_view name : fields) names.emplace_back(name);
   if (names.size() < info.varied + info.records + 4)
     throw std::runtime_error(path + ": is no table of a sweep");
   SweepSummary summary = columnsOf(info, names);
+  const std::size_t longest = longestRow(line);
   std::vector<double> inputs;
-  while (std::getline(in, line)) {
+  while (lines.next(line, longest)) {
+    summary.digest += digestOfRow(line);
     splitFields(line, fields);
     if (fields.size() != names.size())
       throw std::runtime_error(path + ":" + std::to_string(summary.rows + 2) + ": must have " +
@@ -117,7 +119,7 @@ SweepSummary summarise(const std::string& path, const SweepInfo& info) {
 }
 
 std::string summaryCsv(const SweepSummary& summary) {
-  std::string csv = "column,count,mean,stddev,min";
+  std::string csv = kSummaryMark;
   for (const auto& [name, share] : kPercentiles) csv += std::string(",") + name;
   csv += ",max";
   for (const ColumnSummary& column : summary.varied) csv += ",r:" + column.name;

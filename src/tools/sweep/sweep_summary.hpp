@@ -44,9 +44,13 @@ struct SweepSummary {
   static constexpr std::size_t kKeptRows = 100000;
 
   std::int64_t rows = 0, done = 0;  ///< in all; with results
+  std::uint64_t digest = 0;         ///< of the rows
   std::vector<ColumnSummary> varied, results;
   std::vector<std::vector<PairSummary>> pairs;  ///< by result, by varied column
   std::size_t records = 0;                      ///< of the results: the last
+
+  /// Of the table, with the run and its status.
+  std::size_t columns() const { return varied.size() + results.size() + 2; }
 
   /// The varied column that a result goes most with; none where it goes with none.
   std::optional<std::size_t> mostCorrelated(std::size_t result) const;
@@ -54,6 +58,9 @@ struct SweepSummary {
 
 /// Reads runs.csv. Throws std::runtime_error for a file that is none.
 SweepSummary summarise(const std::string& path, const SweepInfo& info);
+
+/// With which summary.csv begins.
+constexpr const char* kSummaryMark = "column,count,mean,stddev,min";
 
 /// summary.csv, and the table for a terminal: varied values, and records or, without any, end
 /// states.

@@ -232,12 +232,11 @@ TEST(SweepProgram, SaysWhereThePlotCannotBeWritten) {
   };
   const test::Outcome taken = sweep(command);
   EXPECT_EQ(taken.exit_code, 1);
-  EXPECT_EQ(lastLine(taken.out), "sweep: " + svg + ": cannot be written: Is a directory\n");
-  EXPECT_EQ(taken.out.find("svg>"), std::string::npos) << taken.out;
+  EXPECT_EQ(taken.out, "sweep: " + svg + ": is no regular file\n");
   ASSERT_EQ(test::runCommand("rmdir " + svg).exit_code, 0);
   // of all files the plot alone has more than 16 kB
-  const test::Outcome full = test::runCommand(
-      "bash -c 'trap \"\" XFSZ; ulimit -f 16; " RIGID_BODY_SIM_SWEEP " " + command + " 2>&1'");
+  const test::Outcome full =
+      test::runCommand("bash -c 'ulimit -f 16; " RIGID_BODY_SIM_SWEEP " " + command + " 2>&1'");
   EXPECT_EQ(full.exit_code, 1) << full.out;
   EXPECT_EQ(lastLine(full.out),
             "sweep: " + svg + ": ends before the end of the picture; is there room on the disk?\n");

@@ -55,8 +55,10 @@ TEST(SweepLedger, IsTheSameInAnyOrder) {
   }
   SweepLedger sum;
   for (const int i : {2, 0, 1}) sum.add(parts[i]);
-  const std::string text = toText(TableInfo{{}, whole});
-  EXPECT_EQ(toText(TableInfo{{}, sum}), text);
+  SweepInfo sweep;
+  sweep.runs = 30;
+  const std::string text = toText(TableInfo{sweep, whole});
+  EXPECT_EQ(toText(TableInfo{sweep, sum}), text);
   EXPECT_EQ(whole.doubtful_runs, (std::vector<std::int64_t>{2, 9, 16, 23}));
   const auto back = tableInfoIn(text);
   ASSERT_TRUE(back);

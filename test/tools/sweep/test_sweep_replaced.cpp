@@ -118,8 +118,8 @@ TEST(SweepProgram, LeavesNothingThatWasMadeOfAnotherTable) {
     return std::ifstream(bench.out + "/" + name).good();
   };
   const auto markOld = [&] {
-    bench.files.written("out/summary.csv", "column,count\n");
-    bench.files.written("out/sweep.svg", "<svg></svg>\n");
+    bench.files.written("out/summary.csv", "column,count,mean,stddev,min\n");
+    bench.files.written("out/sweep.svg", "<svg><title>rigid_body_sim_sweep</title></svg>\n");
   };
   ASSERT_EQ(bench.sweep().exit_code, 0);
   ASSERT_TRUE(isThere("fan.csv"));

@@ -50,11 +50,10 @@ TEST(SweepProgram, GoesOnWithNoTableThatSomebodyHasChanged) {
       test::sweep("merge " + out).out.find("sweep: " + out + "/runs.csv:2: status must be done, "),
       0U);
   ASSERT_EQ(remove((out + "/runs.info").c_str()), 0);
-  EXPECT_EQ(
-      test::sweep(command + " --resume").out,
-      "sweep: " + out + "/runs.csv: " + out +
-          "/runs.info, which says of which sweep the rows are, is not there, or is not whole; put "
-          "it back, or remove the table to begin anew\n");
+  EXPECT_EQ(test::sweep(command + " --resume").out,
+            "sweep: " + out + "/runs.csv: " + out +
+                "/runs.info, which says of which sweep the rows are, is not there; put it "
+                "back, or remove the table to begin anew\n");
 }
 
 TEST(SweepProgram, MergesMoreShardsThanAProcessMayHaveFilesOpen) {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -45,23 +46,66 @@ TEST(RunTable, TakesNoRowsThatWouldBeLost) {
   }
 }
 
+TEST(LockedFile, IsOpenOnce) {
+  const TemporaryDirectory files;
+  const std::string path = files.path("runs.csv");
+  {
+    LockedFile first(path);
+    EXPECT_TRUE(first.isNew());
+    EXPECT_THROW(LockedFile{path}, std::runtime_error);
+    const LockedFile moved = std::move(first);
+    EXPECT_THROW(LockedFile{path}, std::runtime_error);
+  }
+  EXPECT_FALSE(LockedFile(path).isNew());
+}
+
+TEST(RunTable, TakesNoRowsBehindThoseOfAnother) {
+  for (const char* how :
+       {": >FILE", "head -c 6 FILE >FILE.new; cat FILE.new >FILE", "echo 3,4 >>FILE"}) {
+    const TemporaryDirectory files;
+    const std::string path = files.path("runs.csv");
+    RunTable table = RunTable::create(LockedFile(path), "run,a");
+    EXPECT_EQ(faultOf(table), "");
+    EXPECT_NO_THROW(table.requireInPlace());
+    std::string command = how;
+    for (std::size_t at; (at = command.find("FILE")) != std::string::npos;)
+      command.replace(at, 4, path);
+    ASSERT_EQ(test::runCommand(command).exit_code, 0);
+    const std::string left = test::fileText(path);
+    EXPECT_EQ(faultOf(table),
+              path +
+                  ": was cut or added to by another program while this sweep wrote it; the same "
+                  "command with --resume goes on with what is left of it")
+        << how;
+    EXPECT_THROW(table.requireInPlace(), std::runtime_error);
+    EXPECT_EQ(test::fileText(path), left);
+  }
+}
+
 // In the middle of a sweep, which ends at its next write.
-TEST(SweepProgram, EndsAsSoonAsItsDirectoryHasVanished) {
-  for (const char* gone : {"", "/runs.csv", "/fan.csv"}) {
+TEST(SweepProgram, EndsAsSoonAsItsTablesAreNotInPlace) {
+  const std::pair<std::string, std::string> faults[] = {
+      {"rm -r OUT", "removed, moved or replaced"},
+      {"rm OUT/runs.csv", "removed, moved or replaced"},
+      {"rm OUT/fan.csv", "removed, moved or replaced"},
+      {": >OUT/runs.csv", "cut or added to by another program"},
+      {"truncate -s 100 OUT/fan.csv", "cut or added to by another program"}};
+  for (const auto& [how, was] : faults) {
     const TemporaryDirectory files;
     const std::string scene = files.written("scene.yaml", test::kPushedBall),
                       out = files.path("out");
     const std::string study =
         files.written("study.yaml", "runs: 50000000\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
+    std::string command = how;
+    command.replace(command.find("OUT"), 3, out);
     const test::Outcome run = test::runCommand(
         "bash -c '" RIGID_BODY_SIM_SWEEP " " + scene + " " + study + " --out " + out +
         " 2>&1 & until [ $(wc -l <" + out +
         "/runs.csv 2>/dev/null || echo 0) -gt 100 ] || ! kill -0 $!; do sleep 0.01; done "
-        "2>/dev/null; rm -r " +
-        out + gone + "; wait $!'");
+        "2>/dev/null; " +
+        command + "; wait $!'");
     EXPECT_EQ(run.exit_code, 1);
-    EXPECT_NE(run.out.find(": was removed, moved or replaced while this sweep wrote it"),
-              std::string::npos)
+    EXPECT_NE(run.out.find(": was " + was + " while this sweep wrote it"), std::string::npos)
         << run.out;
   }
 }
@@ -79,8 +123,7 @@ TEST(SweepProgram, LeavesNoSummaryThatIsNotWhole) {
   ASSERT_GT(whole.size(), 16384U);
   ASSERT_EQ(remove(summary.c_str()), 0);
   const test::Outcome full = test::runCommand(
-      "bash -c 'trap \"\" XFSZ; ulimit -f 16; PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " +
-      command + " 2>&1'");
+      "bash -c 'ulimit -f 16; PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " + command + " 2>&1'");
   EXPECT_EQ(full.exit_code, 1);
   EXPECT_EQ(full.out,
             "sweep: " + summary +
