@@ -61,7 +61,7 @@ SweepJob::SweepJob(const SweepOptions& options)
       files_{shard_, options.directory()},
       inputs_(inputsOf(options)) {
   runners_.push_back(std::make_unique<SweepRunner>(inputs_));
-  SweepRunner& runner = *runners_.front();
+  const SweepRunner& runner = *runners_.front();
   checkPaths();
   SweepInfo& sweep = info_.sweep;
   sweep.title = baseName(options.scene) + ", " + baseName(options.study);
