@@ -29,7 +29,7 @@ constexpr double kFewestInstants = 32;
 class ComparedRun {
  public:
   explicit ComparedRun(Run run) : run_(std::move(run)) {
-    constexpr double kMargin = 0.5;  // as where a trial chooses an integrator
+    constexpr double kMargin = 0.25;  // where rounding decides, both err by about as much
     const double tolerance = world().solver.tolerance;
     const std::size_t contacts = run_.now().laws.contacts().size();
     if (contacts > 0) others_.push_back({run_.atLooserBounds(), tolerance});

@@ -13,6 +13,16 @@ bool anyBelow(const std::vector<double>& guards) {
   return std::any_of(guards.begin(), guards.end(), [](double guard) { return guard < 0; });
 }
 
+struct Point {
+  double x, y;
+};
+
+/// Where the parabola through three points has its vertex; no number where it is a line.
+double vertexOf(const Point& a, const Point& b, const Point& c) {
+  const double left = (b.y - a.y) / (b.x - a.x), right = (c.y - b.y) / (c.x - b.x);
+  return 0.5 * (a.x + b.x) - 0.5 * left * (c.x - a.x) / (right - left);
+}
+
 double potentialOf(const ForceLaw& law, const ForceLaw::Bodies& at) {
   return law.acts(at.own) ? law.potentialEnergy(at) : 0;
 }
@@ -29,42 +39,74 @@ void EventSearch::setGuards(const System& system, const SystemState& states,
   });
 }
 
-/// A time at which a guard is below zero; else the end. trial_ and guards_ are of that time. By the
-/// motion itself at quarters of the piece and, where a guard comes near zero, at eighths and at the
-/// vertex of the parabola through the least of these and its neighbours. cubic: in its place, where
-/// that is not null, and the motion only where it is below zero or nearly so.
+/// Sets trial_ and guards_ to a time of the piece, in eighths; whether a guard is below zero there.
+bool EventSearch::isBelowAt(const MotionPiece& piece, double eighths) {
+  piece.at(piece.start() + eighths * (piece.end() - piece.start()) / kEighths, trial_);
+  setGuards(piece.system(), trial_, guards_);
+  return anyBelow(guards_);
+}
+
+/// A time, in eighths, at which a guard is below zero; else the end. trial_ and guards_ are of that
+/// time. By the motion itself at quarters of the piece and, where a guard comes near zero, at
+/// eighths and between them. cubic: in its place, where that is not null, and the motion only where
+/// it is below zero or nearly so.
 double EventSearch::suspected(const MotionPiece& piece, const CubicBetween* cubic) {
-  const double part = (piece.end() - piece.start()) / kParts;
-  const auto isBelowAt = [&](double parts) {
-    piece.at(piece.start() + parts * part, trial_);
-    setGuards(piece.system(), trial_, guards_);
-    return anyBelow(guards_);
-  };
-  const auto seemsBelowAt = [&](double parts) {
-    if (!cubic) return isBelowAt(parts);
-    cubic->at(parts / kParts, trial_);
+  const auto seemsBelowAt = [&](double eighths) {
+    if (!cubic) return isBelowAt(piece, eighths);
+    cubic->at(eighths / kEighths, trial_);
     setGuards(piece.system(), trial_, guards_);
     return anyBelow(guards_);
   };
   constexpr std::array<std::size_t, 7> kOrder{2, 4, 6, 1, 3, 5, 7};
   for (const std::size_t k : kOrder) {
-    if (k == 1 && !comesNear()) return piece.end();
-    const auto parts = static_cast<double>(k);
-    const bool seems_below = seemsBelowAt(parts);
-    std::swap(samples_[k], guards_);
-    if (seems_below && (!cubic || isBelowAt(parts))) return piece.start() + parts * part;
+    if (k == 1 && !comesNear()) return kEighths;
+    const auto eighths = static_cast<double>(k);
+    const bool seems_below = seemsBelowAt(eighths);
+    samples_[k] = guards_;
+    if (seems_below && (!cubic || isBelowAt(piece, eighths))) return eighths;
   }
   for (std::size_t i = 0; i < samples_.front().size(); ++i) {
-    for (std::size_t k = 1; k < kParts; ++k) {
-      const double before = samples_[k - 1][i], here = samples_[k][i], after = samples_[k + 1][i];
-      if (!(here <= before && here <= after && before + after > 2 * here)) continue;
-      const double vertex = 0.5 * (before - after) / (before + after - 2 * here);
-      const double parts = static_cast<double>(k) + vertex;
-      if (cubic && !isNearZero(i, here - 0.25 * (before - after) * vertex)) continue;
-      if (isBelowAt(parts)) return piece.start() + parts * part;
-    }
+    const double eighths = cubic ? belowVertex(piece, i) : belowBetween(piece, i);
+    if (eighths < kEighths) return eighths;
   }
-  return piece.end();
+  return kEighths;
+}
+
+/// By the vertices of parabolas through the samples of guard i, which a cubic has made.
+double EventSearch::belowVertex(const MotionPiece& piece, std::size_t i) {
+  for (std::size_t k = 1; k < kEighths; ++k) {
+    const double before = samples_[k - 1][i], here = samples_[k][i], after = samples_[k + 1][i];
+    if (!(here <= before && here <= after && before + after > 2 * here)) continue;
+    const double vertex = 0.5 * (before - after) / (before + after - 2 * here);
+    if (!isNearZero(i, here - 0.25 * (before - after) * vertex)) continue;
+    const double eighths = static_cast<double>(k) + vertex;
+    if (isBelowAt(piece, eighths)) return eighths;
+  }
+  return kEighths;
+}
+
+/// By the minima of the polynomial through the samples of guard i, also within the first and the
+/// last eighth. Where that errs by as much as it is above zero, by a parabola around the minimum.
+double EventSearch::belowBetween(const MotionPiece& piece, std::size_t i) {
+  constexpr double kAround = 0.1;  // eighths
+  constexpr double kErrs = 4;      // of what is seen of its error, there may be elsewhere
+  EighthsInterpolant::Values values;
+  for (std::size_t k = 0; k <= kEighths; ++k) values[k] = samples_[k][i];
+  for (const auto& [eighths, value] : EighthsInterpolant(values).minima()) {
+    if (!isNearZero(i, value)) continue;
+    if (isBelowAt(piece, eighths)) return eighths;
+    const double here = guards_[i];
+    if (here > kErrs * std::abs(here - value)) continue;
+    const double from = std::max(eighths - kAround, 0.0);
+    const double to = std::min(eighths + kAround, static_cast<double>(kEighths));
+    if (isBelowAt(piece, from)) return from;
+    const double before = guards_[i];
+    if (isBelowAt(piece, to)) return to;
+    const double after = guards_[i];
+    const double vertex = vertexOf({from, before}, {eighths, here}, {to, after});
+    if (vertex > from && vertex < to && isBelowAt(piece, vertex)) return vertex;
+  }
+  return kEighths;
 }
 
 /// Whether that may be below zero of guard i, for all that a cubic tells.
@@ -98,7 +140,7 @@ bool EventSearch::comesNear() const {
 double EventSearch::firstEvent(const MotionPiece& piece, const SystemState& at_start,
                                SystemState& at_end, const CubicBetween* cubic, bool goes_on) {
   found_ = false;
-  samples_.resize(kParts + 1);
+  samples_.resize(kEighths + 1);
   if (goes_on)
     std::swap(samples_.front(), samples_.back());
   else
@@ -108,8 +150,9 @@ double EventSearch::firstEvent(const MotionPiece& piece, const SystemState& at_s
   if (anyBelow(samples_.back())) {
     guards_ = samples_.back();
   } else {
-    after = suspected(piece, cubic);
-    if (after == piece.end()) return after;
+    const double eighths = suspected(piece, cubic);
+    if (eighths == kEighths) return after;
+    after = piece.start() + eighths * (piece.end() - piece.start()) / kEighths;
     at_end = trial_;
   }
   found_ = true;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "dynamics/run/cubic_between.hpp"
+#include "dynamics/run/eighths.hpp"
 #include "dynamics/run/motion_piece.hpp"
 
 namespace rigid_body_sim {
@@ -17,8 +18,9 @@ class EventSearch {
   /// The instant at which the first guard has just fallen below zero, located to the system's
   /// precision; the end of the piece where none does. at_end: the states there; they become those
   /// at the instant. What falls below zero and rises again within an eighth of the piece is looked
-  /// for by a parabola through the guard. cubic: what shows where to look at less cost; or null.
-  /// goes_on: whether the piece begins where the last one has ended without an event.
+  /// for by a polynomial through the guard, or a parabola through what a cubic shows. cubic: what
+  /// shows where to look at less cost; or null. goes_on: whether the piece begins where the last
+  /// one has ended without an event.
   double firstEvent(const MotionPiece& piece, const SystemState& at_start, SystemState& at_end,
                     const CubicBetween* cubic = nullptr, bool goes_on = false);
 
@@ -26,8 +28,6 @@ class EventSearch {
   bool found() const { return found_; }
 
  private:
-  static constexpr std::size_t kParts = 8;  // of a piece, between which guards are looked at
-
   /// When the guards fall below zero, and how fast [1/s]; not known while that is not below zero.
   struct Crossing {
     double t = 0, slope = 0;
@@ -39,7 +39,10 @@ class EventSearch {
                       double after, double low);
   double lowest(const System& system, const SystemState& states);
   double lowestShare() const;
+  bool isBelowAt(const MotionPiece& piece, double eighths);
   double suspected(const MotionPiece& piece, const CubicBetween* cubic);
+  double belowVertex(const MotionPiece& piece, std::size_t i);
+  double belowBetween(const MotionPiece& piece, std::size_t i);
   bool isNearZero(std::size_t i, double least) const;
   bool comesNear() const;
 

@@ -60,12 +60,18 @@ void MethodPlanner::setContactBound(double bound) {
   bounds_.bound_share = bound / contactStepBound(tolerance_);
 }
 
+void MethodPlanner::setTrial(const ContactTrial& trial) {
+  regroups_ = trial.regroups;
+  tells_all_ = trial.is_made && trial.compares;
+}
+
 /// Whatever the bounds were when it was found.
 MethodChoice MethodPlanner::bounded(MethodChoice choice) const {
   choice.max_turn_share = bounds_.max_turn_share;
   choice.bound_share = bounds_.bound_share;
   choice.contact_bound = bounds_.contact_bound;
   choice.contact_work = bounds_.contact_work;
+  choice.holds |= choice.by_estimates && tells_all_;
   if (choice.by_estimates) choice.substeps = std::max(choice.substeps, least_substeps_);
   return choice;
 }

@@ -3,6 +3,8 @@
 #include <map>
 #include <vector>
 
+#include <rigid_body_sim/dynamics/simulation.hpp>
+
 #include "dynamics/run/contact_bound.hpp"
 #include "dynamics/run/group.hpp"
 #include "dynamics/run/method_trial.hpp"
@@ -37,8 +39,8 @@ class MethodPlanner {
   /// Steps that are divided by error estimates out of contact are bounded in the same proportion.
   void setContactBound(double bound);
 
-  /// See ContactTrial::regroups.
-  void setRegroups(bool regroups) { regroups_ = regroups; }
+  /// What bodies that go by error estimates hold is what the trial of the whole run says.
+  void setTrial(const ContactTrial& trial);
 
   /// See maxContactWork.
   double contactWork() const { return bounds_.contact_work; }
@@ -85,7 +87,8 @@ class MethodPlanner {
   double tolerance_;
   MethodChoice bounds_;     // for every choice
   int least_substeps_ = 1;  // of a step that is divided by error estimates
-  bool regroups_ = false;
+  bool regroups_ = false;   // see ContactTrial
+  bool tells_all_ = false;  // whether a trial of the whole run has shown what estimates hold
   Trials trials_;
 };
 

@@ -91,7 +91,7 @@ void Run::place(const State& start, bool scheduled) {
   if (start.laws.empty()) contacts_.start(now_, now_.laws.oneSided(), start.bodies);
   grouping_.planner().setContactBound(start.contact_bound > 0 ? start.contact_bound
                                                               : contact_trial_.step_bound);
-  grouping_.planner().setRegroups(contact_trial_.regroups);
+  grouping_.planner().setTrial(contact_trial_);
   grouping_.form(now_, start, scheduled);
   now_.beginPacks();
 }

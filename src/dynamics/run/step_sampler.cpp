@@ -65,7 +65,7 @@ StepSampler* StatesWithin::samplerFor(const Simulation& simulation, double t) {
   }
   if (rate_ > 0)
     goThrough(simulation, t);
-  else if (!sampler_ && t > last_ && hasContact(simulation.world()))
+  else if (!sampler_ && t > last_ && hasOneSidedLaw(simulation.world()))
     sampler_.emplace(simulation);
   last_ = t;
   return sampler_ ? &*sampler_ : nullptr;
@@ -75,7 +75,7 @@ StepSampler* StatesWithin::samplerFor(const Simulation& simulation, double t) {
 void StatesWithin::goThrough(const Simulation& simulation, double t) {
   const double from = sampler_ ? last_ : simulation.time();
   const double rounding = instantRounding(t, simulation.world().solver.time_step);
-  if (!hasContact(simulation.world())) return;
+  if (!hasOneSidedLaw(simulation.world())) return;
   for (double k = std::floor(from * rate_) + 1; k / rate_ < t - rounding; ++k) {
     if (!(k / rate_ > from + rounding)) continue;
     if (!sampler_) sampler_.emplace(simulation);

@@ -74,14 +74,14 @@ bool ImuOutput::publishDue(const Simulation& simulation, double t, double reach)
   return true;
 }
 
-/// Within a step in contact those of one rate go on from one another; else all at once: bodies that
-/// act on one another share the work.
+/// Within a step with contact or tethers those of one rate go on from one another; else all at
+/// once: bodies that act on one another share the work.
 std::vector<BodyMotion> ImuOutput::motionsOf(
     const std::vector<std::pair<Sensor*, std::uint64_t>>& due, const Simulation& simulation,
     double t) {
   std::vector<BodyMotion> motions;
   std::vector<std::size_t> bodies;
-  const bool goes_on = t > simulation.time() && hasContact(simulation.world());
+  const bool goes_on = t > simulation.time() && hasOneSidedLaw(simulation.world());
   for (const auto& [sensor, sample] : due) {
     const std::size_t body = sensor->imu.body;
     bodies.push_back(body);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace rigid_body_sim {
+
+constexpr std::size_t kEighths = 8;
+
+/// The polynomial of degree 8 through the values of a quantity at the ends and the eighths of a
+/// piece of motion. Over a piece that an integrator follows, it errs by little more than that does.
+class EighthsInterpolant {
+ public:
+  using Values = std::array<double, kEighths + 1>;
+
+  explicit EighthsInterpolant(const Values& values);
+
+  /// Where, in eighths from the start, it is least between two greater values, and how low there;
+  /// neither end is such a place.
+  struct Minimum {
+    double eighths, value;
+  };
+  std::vector<Minimum> minima() const;
+
+ private:
+  static constexpr std::size_t kLooks = 8;  // at each eighth
+
+  std::array<double, kEighths * kLooks + 1> values_;
+};
+
+}  // namespace rigid_body_sim
