@@ -120,6 +120,62 @@ TEST(Tether, IsLimpHoweverShortlyWhateverTheStep) {
   }
 }
 
+/// [m] A mass of 1 kg that falls from rest at `lowest` below the place where its tether, of
+/// stiffness k, becomes taut: it rises on a sine, flies, and falls back. Above that place: < 0.
+double bounceOnTether(double k, double lowest, double t) {
+  constexpr double g = 10;
+  const double w = std::sqrt(k), rest = g / k, amplitude = lowest - rest;
+  const double rise = std::acos(-rest / amplitude) / w;  // to where it is slack
+  const double speed = amplitude * w * std::sin(w * rise), flight = 2 * speed / g;
+  const double within = std::fmod(t, 2 * rise + flight), flown = within - rise;
+  if (flown > 0 && flown < flight) return -(speed * flown - g * flown * flown / 2);
+  const double turned = w * (flown > 0 ? 2 * rise + flight - within : within);
+  return rest + amplitude * std::cos(turned);
+}
+
+// It is slack for 1.3 to 40 ms in every bounce, anywhere in steps that are up to a hundred times as
+// long. What is left is what the integrator errs by, and nothing where that is small.
+TEST(Tether, IsSlackHoweverShortlyWhateverTheStep) {
+  for (double k : {20.0, 500.0}) {
+    for (double above : {1e-2, 1e-4}) {
+      for (double step : {0.01, 0.07, 0.1, 0.2}) {
+        Bench bench = droppedBall();
+        const double lowest = (2 + above) * 10 / k;
+        bench.initial.bodies[0].x_W.z() = -1 - lowest;
+        bench.world.laws = {std::make_shared<Tether>(Spring::End{kWorld, Vector3d::Zero()},
+                                                     Spring::End{0, Vector3d::Zero()},
+                                                     Tether::Constants{k, 0, 1})};
+        bench.world.solver.tolerance = 1e-9;
+        bench.world.solver.tolerance_stated = true;
+        bench.world.solver.horizon = 6;
+        Simulation sim = bench.simulation("auto", step);
+        while (sim.time() < 6 - step) {
+          sim.step();
+          ASSERT_NEAR(sim.body(0).x_W.z(), -1 - bounceOnTether(k, lowest, sim.time()), 2e-9)
+              << k << " N/m, " << above << ", " << step << " s, at " << sim.time();
+        }
+      }
+    }
+  }
+}
+
+// Every integrator looks for it.
+TEST(Tether, IsFoundSlackByEveryIntegrator) {
+  for (const char* integrator :
+       {"dop853", "rk4", "strang", "magnus4", "kahan_li8", "blanes_moan6", "semi_implicit_euler"}) {
+    Bench bench = droppedBall();
+    bench.initial.bodies[0].x_W.z() = -1.0005;
+    bench.initial.bodies[0].p_W.z() = 0.15;
+    bench.world.laws = {std::make_shared<Tether>(Spring::End{kWorld, Vector3d::Zero()},
+                                                 Spring::End{0, Vector3d::Zero()},
+                                                 Tether::Constants{10, 0, 1})};
+    Simulation sim = bench.simulation(integrator, 0.05);
+    sim.step();
+    // it flies for 0.7 ms, and would be drawn back by 1e-6 m/s² s of its pull meanwhile
+    EXPECT_NEAR(sim.body(0).x_W.z(), -1.0005 + 0.15 * 0.05 - 5 * 0.05 * 0.05, 1e-3) << integrator;
+  }
+}
+
 // Two bodies in free fall, of which one hangs on a spring: its motion is not known beforehand.
 TEST(Tether, PullsTwoBodiesOfWhichOneIsIntegrated) {
   std::vector<Vector3d> ends;

@@ -24,13 +24,13 @@ using reference::Real;
 using reference::Vector;
 using test::Bench;
 
-const Vector3d kPoint_B(-0.031, -0.011, -0.227), kAnchor_W(0.71, -0.4, 0.4);  // [m]
-constexpr double kStiffness = 517.5, kLength = 1;
-constexpr double kEnd = 2, kStep = 0.01;  // [s]
+const Vector3d kFlungPoint_B(-0.031, -0.011, -0.227), kFlungAnchor_W(0.71, -0.4, 0.4);  // [m]
+constexpr double kFlungStiffness = 517.5, kFlungLength = 1;
+constexpr double kFlungEnd = 2, kFlungStep = 0.01;  // [s]
 
 Body flungBody() { return test::principalBody("box", 0.89, {0.0464, 0.0421, 0.00727}); }
 
-Vector3d pointP() { return rotateBack(flungBody().q_BP, kPoint_B); }
+Vector3d flungPointP() { return rotateBack(flungBody().q_BP, kFlungPoint_B); }
 
 /// A box that is thrown about by its tether, which becomes taut or slack every tenth of a second.
 /// An error of its start is magnified a million times in two seconds.
@@ -49,19 +49,19 @@ Bench flungBox(double tolerance, bool starts_slack) {
     motion.w_W = {51.0396112, -61.3519988, -22.0074145};
   }
   bench.add(flungBody(), motion);
-  bench.world.laws.push_back(std::make_shared<Tether>(Spring::End{0, pointP()},
-                                                      Spring::End{kWorld, kAnchor_W},
-                                                      Tether::Constants{kStiffness, 0, kLength}));
+  bench.world.laws.push_back(
+      std::make_shared<Tether>(Spring::End{0, flungPointP()}, Spring::End{kWorld, kFlungAnchor_W},
+                               Tether::Constants{kFlungStiffness, 0, kFlungLength}));
   bench.world.solver.tolerance = tolerance;
   bench.world.solver.tolerance_stated = true;
-  bench.world.solver.horizon = kEnd;
+  bench.world.solver.horizon = kFlungEnd;
   return bench;
 }
 
 /// [m] By how much the line is longer than the tether.
 Real excessLength(const Motions& m) {
-  const Vector end_W = m[0].x + m[0].R() * pointP().cast<Real>();
-  return (end_W - kAnchor_W.cast<Real>()).norm() - Real(kLength);
+  const Vector end_W = m[0].x + m[0].R() * flungPointP().cast<Real>();
+  return (end_W - kFlungAnchor_W.cast<Real>()).norm() - Real(kFlungLength);
 }
 
 /// Springs and flights of the reference in turn, from one zero of the excess to the next, which is
@@ -70,7 +70,8 @@ class TetherReference {
  public:
   explicit TetherReference(const Bench& bench)
       : bench_(bench),
-        spring_(reference::spring({0, pointP()}, {kWorld, kAnchor_W}, {kStiffness, 0, kLength})),
+        spring_(reference::spring({0, flungPointP()}, {kWorld, kFlungAnchor_W},
+                                  {kFlungStiffness, 0, kFlungLength})),
         motions_{reference::toMotion(bench.world.bodies[0], bench.initial.bodies[0])},
         is_taut_(excessLength(motions_) > 0) {}
 
@@ -126,8 +127,8 @@ class TetherReference {
 /// slack.
 int expectHeldBeside(std::vector<Simulation>& sims, const Bench& bench, const std::string& what) {
   TetherReference truth(bench);
-  for (int k = 1; k * kStep < kEnd + kStep / 2; ++k) {
-    truth.goOn(Real(kStep));
+  for (int k = 1; k * kFlungStep < kFlungEnd + kFlungStep / 2; ++k) {
+    truth.goOn(Real(kFlungStep));
     for (Simulation& sim : sims) {
       sim.step();
       const double tolerance = sim.world().solver.tolerance;
@@ -145,7 +146,7 @@ TEST(TetherPromise, IsKeptWhereSuddenPullsMagnifyErrors) {
   for (bool starts_slack : {false, true}) {
     std::vector<Simulation> sims;
     for (double tolerance : {1e-2, 1e-3, 1e-4}) {
-      sims.push_back(flungBox(tolerance, starts_slack).simulation("auto", kStep));
+      sims.push_back(flungBox(tolerance, starts_slack).simulation("auto", kFlungStep));
       EXPECT_TRUE(std::isinf(sims.back().contactTrial().lost_at)) << tolerance;
       EXPECT_LT(sims.back().contactTrial().step_bound, 0.1 * contactStepBound(tolerance));
       EXPECT_EQ(sims.back().plans()[0].by_estimates, !starts_slack);
@@ -164,21 +165,21 @@ TEST(TetherPromise, IsKeptInASceneWithContact) {
   far_below.origin_W = {0, 0, -1e3};
   bench.world.laws.push_back(contactWithHalfSpace(bench.world.bodies, 0, test::ballShape(0.1),
                                                   far_below, test::contactOf(1e6, 1.5, 0.2, 0)));
-  std::vector<Simulation> sims{bench.simulation("auto", kStep)};
+  std::vector<Simulation> sims{bench.simulation("auto", kFlungStep)};
   EXPECT_LT(sims[0].contactTrial().step_bound, 0.1 * contactStepBound(1e-4));
   expectHeldBeside(sims, bench, "above a ground");
 }
 
 TEST(TetherPromise, IsSaidNotToBeCertainWhereNoStepHoldsIt) {
-  const Simulation sim = flungBox(1e-8, false).simulation("auto", kStep);
-  EXPECT_LT(sim.contactTrial().lost_at, kEnd);
+  const Simulation sim = flungBox(1e-8, false).simulation("auto", kFlungStep);
+  EXPECT_LT(sim.contactTrial().lost_at, kFlungEnd);
   EXPECT_NE(describeSolution(sim).back().find("tolerance 1e-08 is not certain to be held from"),
             std::string::npos)
       << describeSolution(sim).back();
 }
 
 TEST(TetherPromise, GoesOnFromAStateWithTheSameBits) {
-  const Simulation sim = flungBox(1e-4, false).simulation("auto", kStep);
+  const Simulation sim = flungBox(1e-4, false).simulation("auto", kFlungStep);
   EXPECT_FALSE(Simulation(sim.world(), sim.state()).contactTrial().is_made);
   test::expectToGoOnTheSame(sim, {20, 30, 50, 40});
 }
@@ -187,7 +188,7 @@ TEST(TetherPromise, GoesOnFromAStateWithTheSameBits) {
 TEST(TetherPromise, IsTriedBesideARunThatErrsByFarLess) {
   Bench bench = flungBox(1e-2, false);
   bench.world.solver.integrator = "auto";
-  bench.world.solver.time_step = kStep;
+  bench.world.solver.time_step = kFlungStep;
   rigid_body_sim::Run run(std::make_shared<const World>(bench.world),
                           std::make_shared<const State>(bench.initial));
   ContactTrial by_estimates = run.contactTrial();
@@ -212,9 +213,9 @@ TEST(TetherPromise, LeavesATautTetherTheIntegratorThatWasTried) {
   hanging.q_WB = Quaterniond(0, 1, 0, 0);  // the tether's point above the centre of mass
   hanging.x_W = {0.6, -0.4, -0.84};
   bench.initial.bodies[0] = toBodyState(bench.world.bodies[0], hanging);
-  const Simulation sim = bench.simulation("auto", kStep);
+  const Simulation sim = bench.simulation("auto", kFlungStep);
   EXPECT_FALSE(sim.contactTrial().regroups);
-  EXPECT_EQ(sim.contactTrial().tried_until, kEnd);
+  EXPECT_EQ(sim.contactTrial().tried_until, kFlungEnd);
   EXPECT_FALSE(sim.plans()[0].by_estimates);
 }
 
@@ -222,7 +223,7 @@ TEST(TetherPromise, LeavesATautTetherTheIntegratorThatWasTried) {
 TEST(TetherPromise, IsNotTriedWhereNoToleranceIsStated) {
   Bench bench = flungBox(1e-4, false);
   bench.world.solver.tolerance_stated = false;
-  EXPECT_FALSE(bench.simulation("auto", kStep).contactTrial().is_made);
+  EXPECT_FALSE(bench.simulation("auto", kFlungStep).contactTrial().is_made);
 }
 
 }  // namespace rigid_body_sim
