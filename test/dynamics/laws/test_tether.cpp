@@ -162,7 +162,7 @@ TEST(Tether, IsSlackHoweverShortlyWhateverTheStep) {
 // Every integrator looks for it.
 TEST(Tether, IsFoundSlackByEveryIntegrator) {
   for (const char* integrator :
-       {"dop853", "rk4", "strang", "magnus4", "kahan_li8", "blanes_moan6", "semi_implicit_euler"}) {
+       {"dop853", "rk4", "strang", "magnus4", "kahan_li8", "blanes_moan6"}) {
     Bench bench = droppedBall();
     bench.initial.bodies[0].x_W.z() = -1.0005;
     bench.initial.bodies[0].p_W.z() = 0.15;
@@ -171,7 +171,7 @@ TEST(Tether, IsFoundSlackByEveryIntegrator) {
                                                  Tether::Constants{10, 0, 1})};
     Simulation sim = bench.simulation(integrator, 0.05);
     sim.step();
-    // it flies for 0.7 ms, and would be drawn back by 1e-6 m/s² s of its pull meanwhile
+    // it flies for 27 ms; its pull is far below its weight
     EXPECT_NEAR(sim.body(0).x_W.z(), -1.0005 + 0.15 * 0.05 - 5 * 0.05 * 0.05, 1e-3) << integrator;
   }
 }

@@ -153,6 +153,8 @@ TEST(SweepProgram, KeepsWholeRowsWhenTheDiskIsFull) {
   ASSERT_TRUE(info);
   // all that both tables have
   const std::string fan = fileText(files.path("out/fan.csv"));
+  ASSERT_FALSE(fan.empty());
+  EXPECT_EQ(fan.back(), '\n');
   EXPECT_EQ(info->ledger.rows + 1, std::min(std::count(rows.begin(), rows.end(), '\n'),
                                             std::count(fan.begin(), fan.end(), '\n')));
   ASSERT_EQ(sweep(scene + " " + study + " --resume --out " + files.path("out")).exit_code, 0);
