@@ -35,11 +35,12 @@ struct ErrorEstimate {
 /// Impacts, and pulls that begin suddenly, magnify errors, so that the scene is run up to its
 /// horizon beside a run whose bounds are 100 times looser, from which it may differ by the
 /// tolerance, and where forces other than contact act beside one whose bounds are 100 times tighter
-/// and whose steps half as long, from which it may differ by half of that. Where they part further,
-/// it is tried anew at bounds 100 times tighter, down to 1e-14; below, rounding decides. Without
-/// contact the second run alone is made. The work is bounded, to tenths of a second; where that
-/// ends before a tenth of the time up to the horizon, the bound stays what it was at first. Runs
-/// are compared after every step, and at 32 instants up to the horizon at least.
+/// and whose steps half as long, from which it may differ by a quarter of that. Where they part
+/// further, it is tried anew at bounds 100 times tighter, down to 1e-14; below, rounding decides.
+/// Without contact the second run alone is made. The work is bounded, to tenths of a second; where
+/// that ends before a tenth of the time up to the horizon, the bound stays what it was at first.
+/// Runs are compared after every step, and of contact alone at 32 instants up to the horizon at
+/// least.
 struct ContactTrial {
   /// What the error estimate of a step in contact may reach; of a step out of contact that is
   /// divided by estimates, bounds are changed in the same proportion.

@@ -19,7 +19,9 @@ constexpr double kMaxTrialWork = 5e5;
 /// Of the time up to the horizon: what is known of less is no reason to make every step dearer.
 constexpr double kLeastShare = 0.1;
 
-/// Up to the horizon, at least, at which two runs are compared, however long the steps.
+/// Up to the horizon, at least, at which two runs of contact alone are compared, however long the
+/// steps: those in contact are no longer for it. Of other forces parts of a step err by less than
+/// the step.
 constexpr double kFewestInstants = 32;
 
 /// A run and others beside it, which tell its error. In contact that is one at looser bounds, so
@@ -114,7 +116,9 @@ class ComparedRun {
 ContactTrial follow(Run run, double& work) {
   const SolverOptions solver = run.now().world->solver;
   const double h = solver.time_step;
-  const double parts = std::max(1.0, std::ceil(kFewestInstants * h / solver.horizon));
+  const bool is_contact_alone = run.now().laws.contacts().size() == run.now().world->laws.size();
+  const double parts =
+      is_contact_alone ? std::max(1.0, std::ceil(kFewestInstants * h / solver.horizon)) : 1;
   ContactTrial trial = run.contactTrial();
   trial.is_made = true;
   ComparedRun compared(std::move(run));

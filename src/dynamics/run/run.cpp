@@ -38,10 +38,10 @@ ContactTrial Run::contactTrial() const {
   return trial;
 }
 
-Run Run::atTwiceTheStep() const { return beside({2, 1, kCompanionShare, 1}); }
-Run Run::atLooserBounds() const { return beside({1, kCompanionShare, kCompanionShare, 1}); }
+Run Run::atTwiceTheStep() const { return beside({2, 2, 1, kCompanionShare, 1}); }
+Run Run::atLooserBounds() const { return beside({1, 1, kCompanionShare, kCompanionShare, 1}); }
 Run Run::atTighterBounds() const {
-  return beside({1, 1 / kCompanionShare, 1 / kCompanionShare, 2});
+  return beside({1, 0.5, 1 / kCompanionShare, 1 / kCompanionShare, 2});
 }
 
 Run Run::beside(const Beside& other) const {

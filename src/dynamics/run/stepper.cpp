@@ -19,7 +19,7 @@ MethodChoice errorControlled() {
 
 MethodChoice changedBy(const Beside& beside, const MethodChoice& choice) {
   MethodChoice changed = choice;
-  changed.max_turn_share *= beside.steps;
+  changed.max_turn_share *= beside.turn_share;
   changed.bound_share *= beside.bound_share;
   changed.contact_bound *= beside.contact_share;
   if (changed.by_estimates) changed.substeps = std::max(changed.substeps, beside.least_substeps);

@@ -13,7 +13,7 @@ using test::Bench;
 using test::principalBody;
 using test::tumbling;
 
-const double kPi = std::acos(-1.0);
+const double kHalfTurn = std::acos(-1.0);
 
 // x = l₀ + e^(−γt) (a cos ωt + γa/ω sin ωt),  γ = c/2m,  ω² = k/m − γ²
 TEST(DampedOscillator, FollowsItsClosedForm) {
@@ -104,7 +104,7 @@ TEST(KeplerOrbit, KeepsItsInvariantsOverAHundredRevolutions) {
   EXPECT_NEAR(E, -0.5 * mu * m, 1e-15);  // a = 1
   EXPECT_NEAR(laplaceVector(start, m, mu).norm(), e, 1e-15);
   for (const char* integrator : {"kahan_li8", "blanes_moan6", "dop853"}) {
-    const State end = bench.run(integrator, 100 * 2 * kPi, 20000);
+    const State end = bench.run(integrator, 100 * 2 * kHalfTurn, 20000);
     const BodyState& s = end.bodies[0];
     EXPECT_NEAR(mechanicalEnergy(bench.world, end), E, 1e-10) << integrator;
     EXPECT_LE((s.x_W.cross(s.p_W) - start.x_W.cross(start.p_W)).norm(), 1e-10) << integrator;
@@ -121,7 +121,7 @@ double completeK(double k) {
     b = std::sqrt(a * b);
     a = mean;
   }
-  return kPi / (a + b);
+  return kHalfTurn / (a + b);
 }
 
 // On a circular orbit of rate n, pitch about the orbit normal obeys θ'' + 3 n² σ sin θ cos θ = 0,
