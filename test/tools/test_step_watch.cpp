@@ -21,13 +21,13 @@ std::string saidOf(double t) {
 
 TEST(StepWatch, SaysWhichStepDoesNotEnd) {
   EXPECT_EQ(saidOf(0.25),
-            "0.01 s of computing have not ended the step from t = 0.25 s: something is far faster "
+            "0.01 s have not ended the step from t = 0.25 s: something is far faster "
             "than the time_step; if it cannot be followed, a line will say what");
 }
 
 TEST(StepWatch, SaysThatTheRunHasNotBegun) {
   EXPECT_EQ(saidOf(StepWatch::kBeforeTheRun),
-            "0.01 s of computing have not led to the first step: files are large, integrators are "
+            "0.01 s have not led to the first step: files are large, integrators are "
             "tried on a fast motion, or the processor is busy");
 }
 
