@@ -93,6 +93,10 @@ void keepFan(const ShardFiles& files, const SweepInfo& info, const SweepLedger& 
     kept.notices.push_back(path + ": has lost rows, which are made again");
     return;
   }
+  if (!written.knowsFan()) {
+    kept.notices.push_back(path + ": its rows are not in runs.info, and are made again");
+    return;
+  }
   const RowsRead fan = readRows(path, header, kept.fan_rows, files.shard);
   // of fewer rows than were written nothing is known
   if (kept.fan_rows != written_rows) return;

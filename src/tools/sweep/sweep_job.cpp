@@ -237,16 +237,18 @@ void SweepJob::endLoss() {
   writeInfo();
 }
 
-/// Of runs whose rows are there.
+/// Of runs whose rows are there. The digest stays unknown until it is that of all of them.
 void SweepJob::makeFanAgain(RunTable& fan, std::int64_t rows, const StopSignals& signals) {
+  std::uint64_t digest = 0;
   SweepPool pool(
       runners_, shard_,
       [&](const MadeRuns& made) {
         fan.append(made.fan);
-        info_.ledger.fan_digest += made.ledger.fan_digest;
+        digest += made.ledger.fan_digest;
       },
       signals.requested());
-  pool.run(0, rows, [](std::int64_t) {});
+  if (pool.run(0, rows, [](std::int64_t) {}) < rows) return;
+  info_.ledger.fan_digest = digest;
   writeInfo();
 }
 

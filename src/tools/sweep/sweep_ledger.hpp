@@ -30,6 +30,9 @@ struct SweepLedger {
   NotedRuns doubtful;                        ///< their error is beyond the tolerance, or unknown
   std::vector<std::int64_t> doubtful_runs;   ///< the first of them, by their numbers
 
+  /// Whether the digest of the fan is one: while rows of it are made again there is none.
+  bool knowsFan() const { return fan_digest != 0; }
+
   void addDoubt(std::int64_t run, const std::string& reason);
 
   /// Of the first rows of a table what is known of their doubtful runs, by the ledger of all: those
