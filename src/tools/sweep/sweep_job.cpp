@@ -162,9 +162,9 @@ SweepJob::Tables SweepJob::openTables(LockedFile runs, const KeptRows& kept) {
   const TableHeaders first = headers();
   info_.ledger = kept.ledger;
   info_.lost = kept.lost;
-  if (kept.bytes == 0) removeOldResults(files_, !info_.sweep.fan.empty());
   // before any row: rows without a description cannot be gone on with
   writeInfo();
+  if (kept.bytes == 0) removeOldResults(files_, !info_.sweep.fan.empty());
   Tables tables{open(std::move(runs), first.runs, kept.bytes), std::nullopt};
   if (!info_.sweep.fan.empty())
     tables.fan.emplace(open(LockedFile(files_.path("fan", ".csv")), first.fan, kept.fan_bytes));
@@ -185,9 +185,9 @@ void SweepJob::writeInfoSometimes(const Tables& tables) {
   writeInfo();
 }
 
-void SweepJob::run() {
+void SweepJob::run(std::optional<StopSignals>& signals) {
   try {
-    makeTables();
+    makeTables(signals);
   } catch (const WriteError& error) {
     if (info_.ledger.rows == 0) throw;
     throw std::runtime_error(std::string(error.what()) +
@@ -196,13 +196,13 @@ void SweepJob::run() {
   }
 }
 
-void SweepJob::makeTables() {
+void SweepJob::makeTables(std::optional<StopSignals>& kept_signals) {
   makeDirectory(options_.directory());
   refuseOtherDivisions(options_.directory(), shard_);
   requireFilesOfASweep(files_, !info_.sweep.fan.empty());
   LockedFile runs(files_.path("runs", ".csv"));
   const KeptRows kept = rowsToKeep();
-  const StopSignals signals;
+  const StopSignals& signals = kept_signals.emplace();
   Tables tables = openTables(std::move(runs), kept);
   const std::int64_t all = shard_.runsOf(info_.sweep.runs), first = kept.ledger.rows;
   const bool needs_fan = tables.fan && kept.fan_bytes == 0 && kept.fan_rows > 0;
