@@ -224,12 +224,10 @@ void SweepJob::makeTables(std::optional<StopSignals>& kept_signals) {
 /// The rows that were lost are there again.
 void SweepJob::endLoss() {
   NotedRuns& doubtful = info_.ledger.doubtful;
-  if (info_.ledger.digest != info_.lost.digest)
-    notify(files_.path("runs", ".csv") +
-           ": with the runs that were lost its rows are not those that were written: somebody "
-           "has changed it, or this machine computes other digits; to be sure, remove it and "
-           "make its runs anew");
-  else if (!info_.lost.is_at_least) {
+  if (info_.ledger.digest != info_.lost.digest) {
+    info_.ledger.is_other = true;
+    notify(noticeOfOtherRows(files_));
+  } else if (!info_.lost.is_at_least) {
     doubtful.count = info_.lost.doubtful;
     doubtful.is_at_least = false;
   }

@@ -91,8 +91,8 @@ TEST(SweepProgram, SaysWhatItMakesAgainThatIsNotInItsDescription) {
   ASSERT_GT(rows, 10);
   const std::size_t end = whole.find("\n" + std::to_string(rows) + ",") + 1;
   EXPECT_EQ(behind(text.substr(0, end) + "mine\nmi"),
-            "sweep: notice: " + bench.table + ": what is behind its first " + std::to_string(rows) +
-                " rows is not in runs.info, and is made again\n");
+            "sweep: notice: " + bench.table + ": its first " + std::to_string(rows) +
+                " rows are kept; what is behind them is not in runs.info, and is made again\n");
   TableInfo none = *tableInfoIn(info);
   none.ledger = {};
   bench.files.written("out/runs.info", toText(none));
