@@ -1,5 +1,6 @@
 #include "tools/common/gnuplot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -7,7 +8,13 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <future>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "programs/usage.hpp"
 #include "scene/message_text.hpp"
@@ -21,7 +28,8 @@ std::string gnuplotIsMissing(const std::string& there) {
 }
 
 std::string pictureDirectory(const std::string& option, const std::string& path) {
-  if (path.empty() || oneLine(path) != path)
+  if (path.empty()) throw UsageError("--" + option + ": must be a path, got an empty one");
+  if (oneLine(path) != path)
     throw UsageError("--" + option + ": must be a path without control characters, got '" +
                      printable(path) + "'");
   return path;
@@ -38,32 +46,94 @@ void requireWritable(const std::string& picture) {
 
 /// Of a disk that is full gnuplot says nothing.
 bool isWhole(const std::string& picture) {
-  constexpr std::streamoff kTail = 16;
-  std::ifstream in(picture, std::ios::binary | std::ios::ate);
-  if (!in || in.tellg() < kTail) return false;
-  in.seekg(-kTail, std::ios::end);
-  std::array<char, kTail> tail{};
-  in.read(tail.data(), kTail);
-  return std::string(tail.data(), kTail).find("</svg>") != std::string::npos;
+  constexpr std::size_t kTail = 16;
+  return picture.find("</svg>", picture.size() - std::min(picture.size(), kTail)) !=
+         std::string::npos;
 }
+
+std::string textOfPicture(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// Throws std::runtime_error, which names the picture.
+void draw(const std::string& command, const std::string& script, const std::string& picture) {
+  std::FILE* gnuplot = popen(command.c_str(), "w");
+  if (!gnuplot) throw std::runtime_error("gnuplot cannot be started");
+  std::fputs(script.c_str(), gnuplot);
+  if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot could not draw " + picture);
+}
+
+/// Two ends of a pipe, of which a child sees none unless it opens one by its path.
+class PicturePipe {
+ public:
+  PicturePipe() {
+    if (pipe2(ends_.data(), O_CLOEXEC) != 0)
+      throw std::runtime_error(std::string("no pipe for a picture: ") + std::strerror(errno));
+  }
+  PicturePipe(const PicturePipe&) = delete;
+  PicturePipe& operator=(const PicturePipe&) = delete;
+  ~PicturePipe() {
+    close(ends_[0]);
+    closeInput();
+  }
+
+  std::string inputPath() const {
+    return "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(ends_[1]);
+  }
+  void closeInput() {
+    if (ends_[1] >= 0) close(std::exchange(ends_[1], -1));
+  }
+  /// What comes until its input is closed everywhere.
+  std::string readAll() const {
+    std::string text;
+    std::array<char, 1 << 16> block{};
+    for (ssize_t n = 0; (n = read(ends_[0], block.data(), block.size())) != 0;) {
+      if (n < 0 && errno != EINTR) break;  // then it is not whole
+      text.append(block.data(), static_cast<std::size_t>(std::max<ssize_t>(0, n)));
+    }
+    return text;
+  }
+
+ private:
+  std::array<int, 2> ends_{-1, -1};
+};
+
+// its warnings are about its script, which the user has not written
+const std::string kGnuplot = "gnuplot 2>/dev/null";
 
 }  // namespace
 
 void runGnuplot(const std::string& script, const std::string& picture) {
   requireWritable(picture);
-  const auto fail = [&](const std::string& message) {
+  try {
+    draw(kGnuplot, script, picture);
+    if (!isWhole(textOfPicture(picture)))
+      throw std::runtime_error(picture +
+                               ": ends before the end of the picture; is there room on the disk?");
+  } catch (const std::runtime_error&) {
     std::error_code kept;
     // what is not whole is no picture
     if (std::filesystem::is_regular_file(picture, kept)) std::filesystem::remove(picture, kept);
-    throw std::runtime_error(message);
-  };
-  // its warnings are about its script, which the user has not written
-  std::FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
-  if (!gnuplot) fail("gnuplot cannot be started");
-  std::fputs(script.c_str(), gnuplot);
-  if (pclose(gnuplot) != 0) fail("gnuplot could not draw " + picture);
-  if (!isWhole(picture))
-    fail(picture + ": ends before the end of the picture; is there room on the disk?");
+    throw;
+  }
+}
+
+std::string drawnByGnuplot(const std::string& script, const std::string& name) {
+  PicturePipe pipe;
+  // beside the script: neither end waits for the other
+  std::future<std::string> drawn = std::async(std::launch::async, [&] { return pipe.readAll(); });
+  try {
+    draw(kGnuplot + " >" + pipe.inputPath(), script, name);
+  } catch (...) {
+    pipe.closeInput();
+    throw;
+  }
+  pipe.closeInput();
+  std::string picture = drawn.get();
+  if (!isWhole(picture)) throw std::runtime_error("gnuplot could not draw the end of " + name);
+  return picture;
 }
 
 std::string gnuplotText(const std::string& text) {

@@ -19,6 +19,11 @@ std::string pictureDirectory(const std::string& option, const std::string& path)
 /// and leaves none then.
 void runGnuplot(const std::string& script, const std::string& picture);
 
+/// What gnuplot writes to its standard output by a script: an SVG that is whole. Throws
+/// std::runtime_error, which says the name of the picture. Nothing is left of it in any file,
+/// whenever the process is ended.
+std::string drawnByGnuplot(const std::string& script, const std::string& name);
+
 /// As gnuplot reads a text of one line word for word: in double quotes it would run what stands in
 /// backquotes.
 std::string gnuplotText(const std::string& text);

@@ -16,9 +16,10 @@ TableInfo infoBeside(const ShardFiles& files) {
   const std::string path = files.path("runs", ".info");
   const std::optional<std::string> text = beginOf(path, kMaxInfoBytes);
   if (const auto info = tableInfoIn(text.value_or(""))) return *info;
-  throw std::runtime_error(files.path("runs", ".csv") + ": " + path +
-                           ", which says of which sweep the rows are, " + faultOfInfo(text) +
-                           "; put it back, or remove the table to begin anew");
+  const std::string table = files.shard.fileName("runs", ".csv");
+  throw std::runtime_error(path + ": " + faultOfInfo(text) +
+                           "; only by it is known of which sweep the rows of " + table +
+                           " are: put it back, or remove " + table + " to begin anew");
 }
 
 void requireSameSweep(const ShardFiles& files, const SweepInfo& there, const SweepInfo& info) {
@@ -53,6 +54,7 @@ SweepLedger ledgerByForm(const ShardFiles& files, const SweepLedger& whole, std:
       ledger.refused.add(files.shard.run(ledger.rows), std::string(fields.back()));
   }
   ledger.addDoubtsBefore(files.shard.run(rows), whole);
+  ledger.is_other = whole.is_other;
   return ledger;
 }
 
@@ -82,8 +84,9 @@ void lookBehind(const std::string& path, const RowsRead& read, std::int64_t rows
   const auto bytes = std::filesystem::file_size(path, is_gone);
   if (is_gone || static_cast<std::int64_t>(bytes) <= read.bytes) return;
   if (rows == all) refuseMoreThan(path, all);
-  kept.notices.push_back(path + ": what is behind its first " + std::to_string(rows) +
-                         " rows is not in runs.info, and is made again");
+  kept.notices.push_back(path + ": its first " + std::to_string(rows) +
+                         " rows are kept; what is behind them is not in runs.info, and is made "
+                         "again");
 }
 
 void keepFan(const ShardFiles& files, const SweepInfo& info, const SweepLedger& written,
@@ -91,6 +94,10 @@ void keepFan(const ShardFiles& files, const SweepInfo& info, const SweepLedger& 
   const std::string path = files.path("fan", ".csv");
   if (wholeRows(path) < kept.fan_rows) {
     kept.notices.push_back(path + ": has lost rows, which are made again");
+    return;
+  }
+  if (!written.knowsFan()) {
+    kept.notices.push_back(path + ": its rows are not in runs.info, and are made again");
     return;
   }
   const RowsRead fan = readRows(path, header, kept.fan_rows, files.shard);
@@ -126,6 +133,13 @@ void requireLedger(const ShardFiles& files, const SweepLedger& ledger, std::uint
                            "table: remove it, and make its runs anew");
 }
 
+std::string noticeOfOtherRows(const ShardFiles& files) {
+  return files.path("runs", ".csv") +
+         ": with the runs that were lost its rows are not those that were written: somebody has "
+         "changed it, or this machine computes other digits; to be sure, remove it and make its "
+         "runs anew";
+}
+
 KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHeaders& headers) {
   const std::string table = files.path("runs", ".csv");
   const std::int64_t there = wholeRows(table);
@@ -153,6 +167,7 @@ KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHea
                            "; of the " + std::to_string(rows) +
                            " that are left only the form could be checked");
   }
+  if (written.is_other) kept.notices.push_back(noticeOfOtherRows(files));
   kept.bytes = read.bytes;
   const auto fan_rows = [&](std::int64_t n) {
     return std::min(n, files.shard.runsOf(info.fanRuns()));
@@ -167,15 +182,15 @@ std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info) {
   const std::string table = files.path("runs", ".csv");
   const std::int64_t rows = wholeRows(table);
   if (rows == 0) return "";
-  const std::optional<TableInfo> beside =
-      tableInfoIn(beginOf(files.path("runs", ".info"), kMaxInfoBytes).value_or(""));
-  const std::int64_t all = beside ? files.shard.runsOf(beside->sweep.runs) : 0;
-  if (beside && rows >= all) return "";
-  const std::string holds = table + ": holds " + std::to_string(rows) + " " +
-                            (beside ? "of " + std::to_string(all) + " " : "") + "runs of ";
-  if (beside && isSameSweep(beside->sweep, info))
+  // without it they may be of this sweep
+  const SweepInfo beside = infoBeside(files).sweep;
+  const std::int64_t all = files.shard.runsOf(beside.runs);
+  if (rows >= all) return "";
+  const std::string holds =
+      table + ": holds " + std::to_string(rows) + " of " + std::to_string(all) + " runs of ";
+  if (isSameSweep(beside, info))
     throw std::runtime_error(holds + "this sweep; --resume goes on, or remove it to begin anew");
-  return holds + (beside ? beside->sweep.title : "an unknown sweep") + ", which are replaced";
+  return holds + beside.title + ", which are replaced";
 }
 
 }  // namespace rigid_body_sim

@@ -30,6 +30,9 @@ struct TableHeaders {
 /// written. Without a row there is nothing to go on with.
 KeptRows keptRows(const ShardFiles& files, const SweepInfo& info, const TableHeaders& headers);
 
+/// Where rows were lost, and made again were not the same.
+std::string noticeOfOtherRows(const ShardFiles& files);
+
 /// Throws std::runtime_error where a sweep that begins anew would take rows away that it should go
 /// on with; returns a notice where it takes others away.
 std::string refuseToReplace(const ShardFiles& files, const SweepInfo& info);

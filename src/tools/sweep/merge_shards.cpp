@@ -11,6 +11,7 @@
 #include "tools/sweep/other_tables.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/shard_set.hpp"
+#include "tools/sweep/sweep_job.hpp"
 #include "tools/sweep/table_lines.hpp"
 
 namespace rigid_body_sim {
@@ -133,7 +134,10 @@ std::optional<TableInfo> mergeShards(const std::vector<std::string>& directories
                                      const std::string& out, const std::atomic<bool>& stop) {
   const std::vector<ShardTable> shards = shardsIn(directories);
   TableInfo info{shards.front().info.sweep, {}};
-  for (const ShardTable& shard : shards) info.ledger.add(shard.info.ledger);
+  for (const auto& [files, there] : shards) {
+    info.ledger.add(there.ledger);
+    if (there.ledger.is_other) SweepJob::notify(noticeOfOtherRows(files));
+  }
   makeDirectory(out);
   MergedTables tables(out, !info.sweep.fan.empty());
   for (const std::string& stem : tables.stems())

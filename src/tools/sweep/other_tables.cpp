@@ -91,8 +91,12 @@ void refuseOtherDivisions(const std::string& directory, const Shard& shard) {
 }
 
 void requireRegular(const std::string& path) {
-  std::error_code is_gone;
-  const fs::file_status there = fs::status(path, is_gone);
+  std::error_code fault;
+  const fs::file_status there = fs::status(path, fault);
+  // such as a link to itself
+  if (!fs::status_known(there))
+    throw std::runtime_error(path + ": cannot be read: " + fault.message() +
+                             "; remove it, or name another --out");
   if (fs::exists(there) && !fs::is_regular_file(there))
     throw std::runtime_error(path + ": is no regular file");
 }

@@ -100,7 +100,12 @@ std::vector<ShardTable> shardsIn(const std::vector<std::string>& directories) {
                                "again were checked; finish it with --resume");
     if (info.sweep.fan.empty()) continue;
     const std::string fan = files.path("fan", ".csv");
-    requireRows(fan, wholeRows(fan), files.shard.runsOf(info.sweep.fanRuns()));
+    const std::int64_t fan_rows = files.shard.runsOf(info.sweep.fanRuns());
+    requireRows(fan, wholeRows(fan), fan_rows);
+    if (fan_rows > 0 && !info.ledger.knowsFan())
+      throw std::runtime_error(fan +
+                               ": its rows were made again, and that was ended before runs.info "
+                               "had them; finish it with --resume");
   }
   return tables;
 }

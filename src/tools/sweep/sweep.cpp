@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include "programs/distinct_files.hpp"
@@ -41,16 +42,19 @@ void report(const TableInfo& table, const std::string& directory) {
   // meanwhile somebody may have changed them
   requireLedger({Shard{}, out}, table.ledger, summary.digest,
                 {summary.columns(), info.varied, info.records});
-  try {
-    writeText((out / "summary.csv").string(), summaryCsv(summary));
-  } catch (const WriteError& error) {
-    throw std::runtime_error(std::string(error.what()) +
-                             "; all runs are in runs.csv: once it can be written, the same command "
-                             "makes it, of a sweep with --resume");
-  }
+  const auto write = [&](const char* name, const std::string& text) {
+    try {
+      writeText((out / name).string(), text);
+    } catch (const WriteError& error) {
+      throw std::runtime_error(std::string(error.what()) +
+                               "; all runs are in runs.csv: once it can be written, the same "
+                               "command makes it, of a sweep with --resume");
+    }
+  };
+  write("summary.csv", summaryCsv(summary));
   print(summaryTable(summary));
   if (hasGnuplot())
-    plotSweep(summary, info, (out / "fan.csv").string(), (out / "sweep.svg").string());
+    write("sweep.svg", sweepPlot(summary, info, (out / "fan.csv").string()));
   else
     print(gnuplotIsMissing((out / "summary.csv").string() + " is there") + "\n");
 }
@@ -74,19 +78,20 @@ void requireDistinctFiles(const SweepOptions& options) {
 }
 
 /// Ends the process where it is asked to end.
-TableInfo mergedTable(const SweepOptions& options) {
-  const StopSignals signals;
+TableInfo mergedTable(const SweepOptions& options, StopSignals& signals) {
   const auto info = mergeShards(options.merge, options.directory(), signals.requested());
-  if (signals.requested())
-    std::fprintf(stderr, "sweep: stopped: %s\n",
-                 info ? "the shards are merged, and the same command makes the summary"
-                      : "nothing is merged, and what was there is as it was");
-  signals.endIfRequested();
+  if (!info) {
+    std::fprintf(stderr, "sweep: stopped: nothing is merged, and what was there is as it was\n");
+    signals.endIfRequested();
+  }
+  signals.endAtOnce(
+      "sweep: stopped: the shards are merged, and the same command makes summary and plot\n");
   return info.value();
 }
 
 void merge(const SweepOptions& options) {
-  const TableInfo info = mergedTable(options);
+  StopSignals signals;
+  const TableInfo info = mergedTable(options, signals);
   notify(info.ledger);
   report(info, options.directory());
 }
@@ -98,7 +103,12 @@ void run(const SweepOptions& options) {
   for (const std::string& notice : job.notices()) SweepJob::notify(notice);
   if (options.run) return print(job.writeScene(*options.run) + "\n");
   const Shard& shard = options.launched.shard;
-  job.run();
+  std::optional<StopSignals> signals;
+  job.run(signals);
+  if (shard.count == 1)
+    signals->endAtOnce(
+        "sweep: stopped: all runs are in runs.csv, and the same command with --resume makes "
+        "summary and plot\n");
   notify(job.info().ledger);
   if (shard.count == 1) return report(job.info(), options.directory());
   print("shard " + std::to_string(shard.index) + " of " + std::to_string(shard.count) +

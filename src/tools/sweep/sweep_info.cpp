@@ -12,7 +12,7 @@ namespace rigid_body_sim {
 namespace {
 
 /// The version is another where the lines are others.
-constexpr const char* kFirstLine = "rigid_body_sim sweep 2";
+constexpr const char* kFirstLine = "rigid_body_sim sweep 3";
 
 /// The rest of a line that begins with a word.
 std::optional<std::string> valueOf(std::istream& lines, const std::string& word) {
@@ -55,7 +55,7 @@ std::string textOfLedger(const SweepLedger& ledger) {
        << textOfNoted(ledger.doubtful) << "doubtful_at_least " << ledger.doubtful.is_at_least
        << "\ndoubtful_runs ";
   for (const std::int64_t run : ledger.doubtful_runs) text << run << ' ';
-  text << "\n";
+  text << "\nother_rows " << ledger.is_other << "\n";
   return text.str();
 }
 
@@ -65,7 +65,8 @@ bool readLedger(std::istream& lines, SweepLedger& ledger) {
          readNoted(lines, "no_result", ledger.refused) &&
          readNoted(lines, "doubtful", ledger.doubtful) &&
          read(lines, "doubtful_at_least", ledger.doubtful.is_at_least) &&
-         readList(lines, "doubtful_runs", ledger.doubtful_runs);
+         readList(lines, "doubtful_runs", ledger.doubtful_runs) &&
+         read(lines, "other_rows", ledger.is_other);
 }
 
 std::string textOfLost(const LostRows& lost) {
@@ -133,6 +134,7 @@ std::optional<TableInfo> tableInfoIn(const std::string& text) {
 
 std::string faultOfInfo(const std::optional<std::string>& text) {
   if (!text) return "is not there";
+  if (text->empty()) return "is empty";
   const std::string first = text->substr(0, text->find('\n'));
   const std::string mark = kInfoMark;
   if (first.compare(0, mark.size(), mark) != 0) return "is not of a sweep";

@@ -162,9 +162,9 @@ SweepJob::Tables SweepJob::openTables(LockedFile runs, const KeptRows& kept) {
   const TableHeaders first = headers();
   info_.ledger = kept.ledger;
   info_.lost = kept.lost;
-  if (kept.bytes == 0) removeOldResults(files_, !info_.sweep.fan.empty());
   // before any row: rows without a description cannot be gone on with
   writeInfo();
+  if (kept.bytes == 0) removeOldResults(files_, !info_.sweep.fan.empty());
   Tables tables{open(std::move(runs), first.runs, kept.bytes), std::nullopt};
   if (!info_.sweep.fan.empty())
     tables.fan.emplace(open(LockedFile(files_.path("fan", ".csv")), first.fan, kept.fan_bytes));
@@ -185,9 +185,9 @@ void SweepJob::writeInfoSometimes(const Tables& tables) {
   writeInfo();
 }
 
-void SweepJob::run() {
+void SweepJob::run(std::optional<StopSignals>& signals) {
   try {
-    makeTables();
+    makeTables(signals);
   } catch (const WriteError& error) {
     if (info_.ledger.rows == 0) throw;
     throw std::runtime_error(std::string(error.what()) +
@@ -196,13 +196,13 @@ void SweepJob::run() {
   }
 }
 
-void SweepJob::makeTables() {
+void SweepJob::makeTables(std::optional<StopSignals>& kept_signals) {
   makeDirectory(options_.directory());
   refuseOtherDivisions(options_.directory(), shard_);
   requireFilesOfASweep(files_, !info_.sweep.fan.empty());
   LockedFile runs(files_.path("runs", ".csv"));
   const KeptRows kept = rowsToKeep();
-  const StopSignals signals;
+  const StopSignals& signals = kept_signals.emplace();
   Tables tables = openTables(std::move(runs), kept);
   const std::int64_t all = shard_.runsOf(info_.sweep.runs), first = kept.ledger.rows;
   const bool needs_fan = tables.fan && kept.fan_bytes == 0 && kept.fan_rows > 0;
@@ -224,12 +224,10 @@ void SweepJob::makeTables() {
 /// The rows that were lost are there again.
 void SweepJob::endLoss() {
   NotedRuns& doubtful = info_.ledger.doubtful;
-  if (info_.ledger.digest != info_.lost.digest)
-    notify(files_.path("runs", ".csv") +
-           ": with the runs that were lost its rows are not those that were written: somebody "
-           "has changed it, or this machine computes other digits; to be sure, remove it and "
-           "make its runs anew");
-  else if (!info_.lost.is_at_least) {
+  if (info_.ledger.digest != info_.lost.digest) {
+    info_.ledger.is_other = true;
+    notify(noticeOfOtherRows(files_));
+  } else if (!info_.lost.is_at_least) {
     doubtful.count = info_.lost.doubtful;
     doubtful.is_at_least = false;
   }
@@ -237,16 +235,18 @@ void SweepJob::endLoss() {
   writeInfo();
 }
 
-/// Of runs whose rows are there.
+/// Of runs whose rows are there. The digest stays unknown until it is that of all of them.
 void SweepJob::makeFanAgain(RunTable& fan, std::int64_t rows, const StopSignals& signals) {
+  std::uint64_t digest = 0;
   SweepPool pool(
       runners_, shard_,
       [&](const MadeRuns& made) {
         fan.append(made.fan);
-        info_.ledger.fan_digest += made.ledger.fan_digest;
+        digest += made.ledger.fan_digest;
       },
       signals.requested());
-  pool.run(0, rows, [](std::int64_t) {});
+  if (pool.run(0, rows, [](std::int64_t) {}) < rows) return;
+  info_.ledger.fan_digest = digest;
   writeInfo();
 }
 

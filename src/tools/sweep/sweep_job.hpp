@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "tools/sweep/kept_rows.hpp"
@@ -26,8 +27,9 @@ class SweepJob {
   std::string writeScene(std::int64_t number);
 
   /// Makes the runs of the shard that are not there yet. Where the process is asked to end
-  /// meanwhile, the table is left whole and the process ends by that signal.
-  void run();
+  /// meanwhile, the table is left whole and the process ends by that signal. signals: are made when
+  /// there is something to leave whole.
+  void run(std::optional<StopSignals>& signals);
 
   /// Of the table as it is.
   const TableInfo& info() const { return info_; }
@@ -40,7 +42,7 @@ class SweepJob {
   struct Tables;
 
   void checkPaths();
-  void makeTables();
+  void makeTables(std::optional<StopSignals>& kept_signals);
   std::uint64_t digestOfAll() const;
   TableHeaders headers() const;
   KeptRows rowsToKeep() const;

@@ -42,6 +42,7 @@ void SweepLedger::add(const SweepLedger& more) {
   fan_digest += more.fan_digest;
   refused.add(more.refused);
   doubtful.add(more.doubtful);
+  is_other |= more.is_other;
   if (more.doubtful_runs.empty()) return;
   std::vector<std::int64_t> all;
   std::merge(doubtful_runs.begin(), doubtful_runs.end(), more.doubtful_runs.begin(),

@@ -29,6 +29,10 @@ struct SweepLedger {
   NotedRuns refused;                         ///< without a result
   NotedRuns doubtful;                        ///< their error is beyond the tolerance, or unknown
   std::vector<std::int64_t> doubtful_runs;   ///< the first of them, by their numbers
+  bool is_other = false;  ///< with rows that were lost and made again they are not as they were
+
+  /// Whether the digest of the fan is one: while rows of it are made again there is none.
+  bool knowsFan() const { return fan_digest != 0; }
 
   void addDoubt(std::int64_t run, const std::string& reason);
 

@@ -134,8 +134,8 @@ void plotFan(const SweepInfo& info, const ColumnSummary& all, std::ostream& scri
 
 }  // namespace
 
-void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::string& fan_csv,
-               const std::string& svg) {
+std::string sweepPlot(const SweepSummary& summary, const SweepInfo& info,
+                      const std::string& fan_csv) {
   std::ostringstream script;
   const std::vector<std::size_t> shown = shownResults(summary);
   for (const std::size_t k : shown) {
@@ -155,7 +155,7 @@ void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::st
   if (has_fan) script << "$fan << EOD\n" << fan.str() << "EOD\n";
   script << "set terminal svg size 1000,900 name 'rigid_body_sim_sweep' noenhanced font 'sans,13' "
             "background 'white'\n"
-         << "set output " << gnuplotText(svg) << "\nset multiplot title "
+         << "set multiplot title "
          << gnuplotText(oneLine(info.title) + ": " + std::to_string(summary.done) + " runs") << "\n"
          << "set grid lc rgb '#dddddd'\nset style fill solid noborder\nset boxwidth 0.9 relative\n"
          << "set xtics nomirror autofreq\nset format '%g'\n";
@@ -163,7 +163,7 @@ void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::st
     plotResult(summary, shown[i], i, shown.size(), script);
   if (has_fan) plotFan(info, all_of_fan, script);
   script << "unset multiplot\n";
-  runGnuplot(script.str(), svg);
+  return drawnByGnuplot(script.str(), "sweep.svg");
 }
 
 }  // namespace rigid_body_sim

@@ -10,9 +10,9 @@ namespace rigid_body_sim {
 constexpr const char* kPlotMark = "<title>rigid_body_sim_sweep</title>";
 
 /// Draws up to three results: how they are distributed, each against the varied value that it goes
-/// most with, and the fan of a quantity over time from fan.csv. Throws std::runtime_error where
-/// gnuplot fails.
-void plotSweep(const SweepSummary& summary, const SweepInfo& info, const std::string& fan_csv,
-               const std::string& svg);
+/// most with, and the fan of a quantity over time from fan.csv. Returns the picture. Throws
+/// std::runtime_error where gnuplot fails.
+std::string sweepPlot(const SweepSummary& summary, const SweepInfo& info,
+                      const std::string& fan_csv);
 
 }  // namespace rigid_body_sim

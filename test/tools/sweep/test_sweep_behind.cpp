@@ -91,13 +91,52 @@ TEST(SweepProgram, SaysWhatItMakesAgainThatIsNotInItsDescription) {
   ASSERT_GT(rows, 10);
   const std::size_t end = whole.find("\n" + std::to_string(rows) + ",") + 1;
   EXPECT_EQ(behind(text.substr(0, end) + "mine\nmi"),
-            "sweep: notice: " + bench.table + ": what is behind its first " + std::to_string(rows) +
-                " rows is not in runs.info, and is made again\n");
+            "sweep: notice: " + bench.table + ": its first " + std::to_string(rows) +
+                " rows are kept; what is behind them is not in runs.info, and is made again\n");
   TableInfo none = *tableInfoIn(info);
   none.ledger = {};
   bench.files.written("out/runs.info", toText(none));
   EXPECT_EQ(behind(whole), "sweep: notice: " + bench.table +
                                ": its rows are not in runs.info, and are made again\n");
+}
+
+// As a process leaves it that is ended while it makes them again: of what it has written nothing is
+// known until all of it is there.
+TEST(SweepProgram, MakesTheRowsOfAFanAgainThatItsDescriptionDoesNotKnow) {
+  const EndedSweep bench;
+  ASSERT_EQ(bench.sweep().exit_code, 0);
+  const std::string path = bench.out + "/fan.csv", rows = test::fileText(bench.table);
+  const std::string fan = test::fileText(path), info = test::fileText(bench.out + "/runs.info");
+  const auto rowsBefore = [](const std::string& text, int run) {
+    return text.substr(0, text.find("\n" + std::to_string(run) + ",") + 1);
+  };
+  bench.files.written("out/runs.csv", rowsBefore(rows, 300));
+  // the fan has more bytes than the rows, and is made again first
+  const int room = static_cast<int>(rowsBefore(fan, 100).size() / 1024);
+  ASSERT_EQ(bench.sweep("--resume", "ulimit -f " + std::to_string(room) + ";").exit_code, 1);
+  const TableInfo there = tableInfoIn(test::fileText(bench.out + "/runs.info")).value();
+  EXPECT_EQ(there.ledger.rows, 300);
+  EXPECT_FALSE(there.ledger.knowsFan());
+  bench.files.written("out/fan.csv", rowsBefore(fan, 300));
+  const test::Outcome again = bench.sweep("--resume");
+  EXPECT_EQ(again.exit_code, 0) << again.out;
+  EXPECT_EQ(again.out.find("sweep: notice: " + path +
+                           ": its rows are not in runs.info, and are made again\n"),
+            0U)
+      << again.out;
+  EXPECT_EQ(test::fileText(bench.table), rows);
+  EXPECT_EQ(test::fileText(path), fan);
+  EXPECT_EQ(test::fileText(bench.out + "/runs.info"), info);
+  // of all runs, too
+  TableInfo unknown = *tableInfoIn(info);
+  unknown.ledger.fan_digest = 0;
+  bench.files.written("out/runs.info", toText(unknown));
+  EXPECT_EQ(test::sweep("merge " + bench.out).out,
+            "sweep: " + path +
+                ": its rows were made again, and that was ended before runs.info had them; finish "
+                "it with --resume\n");
+  EXPECT_EQ(bench.sweep("--resume").exit_code, 0);
+  EXPECT_EQ(test::fileText(bench.out + "/runs.info"), info);
 }
 
 TEST(SweepProgram, PromisesNothingWhereNothingIsWritten) {

@@ -71,7 +71,7 @@ TEST(SweepProgram, ReplacesItsOwnFiles) {
   };
   for (const char* options : {"", "", "--resume", "--run 2", "--run 2"})
     EXPECT_EQ(swept(options).exit_code, 0) << options;
-  for (const char* name : {"out/summary.csv", "out/runs.info", "out/runs.csv"})
+  for (const char* name : {"out/summary.csv", "out/runs.csv"})
     for (const std::size_t kept : {std::size_t{3}, std::size_t{0}}) {
       const std::string text = test::fileText(bench.files.path(name));
       bench.files.written(name, text.substr(0, kept));
@@ -89,6 +89,19 @@ TEST(SweepProgram, NeitherWaitsForAPipeNorReadsADevice) {
       EXPECT_EQ(run.exit_code, 1);
       EXPECT_EQ(run.out, "sweep: " + path + ": is no regular file\n") << make;
     }
+  // nor does it follow a link to itself until all runs are made
+  for (const char* name : {"runs.csv", "fan.csv", "runs.info", "summary.csv", "sweep.svg"}) {
+    const std::string path = bench.emptyDirectory("out") + "/" + name;
+    std::filesystem::create_symlink(name, path);
+    EXPECT_EQ(bench.into("out").out,
+              "sweep: " + path +
+                  ": cannot be read: Too many levels of symbolic links; remove it, or name another "
+                  "--out\n");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(bench.files.path("out")), {}), 1);
+  }
+  std::filesystem::create_symlink("nowhere", bench.files.path("link"));
+  EXPECT_EQ(bench.into("link").out,
+            "sweep: " + bench.files.path("link") + ": is a link that leads to no directory\n");
   // nor what is merged
   bench.emptyDirectory("out");
   for (const char* shard : {"1/2", "2/2"})

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -81,7 +82,12 @@ TEST(SweepProgram, KeepsTheDigestOfRowsThatWereLost) {
     EXPECT_EQ(whole.out.find(kOtherRows) != std::string::npos, is_edited) << whole.out;
     EXPECT_EQ(bench.infoThere().lost.rows, 0);
     EXPECT_EQ(bench.infoText() == bench.info, !is_edited);
-    EXPECT_EQ(bench.sweep("--resume").out.find("notice"), std::string::npos);
+    // and does not forget it
+    for (const std::string& later :
+         {bench.sweep("--resume").out, test::sweep("merge " + bench.out).out,
+          bench.sweep("--resume").out})
+      EXPECT_EQ(later.find("sweep: notice: " + bench.table + ": " + kOtherRows) == 0, is_edited)
+          << later;
   }
 }
 
@@ -96,8 +102,20 @@ TEST(SweepProgram, LooksAtLostRowsThatWereMadeBeforeItWasEnded) {
                 ": had lost rows, and was ended before those that were made again were checked; "
                 "finish it with --resume\n");
   EXPECT_NE(bench.sweep("--resume").out.find(kOtherRows), std::string::npos);
-  EXPECT_EQ(bench.infoText(), bench.info);
+  TableInfo other = tableInfoIn(bench.info).value();
+  other.ledger.is_other = true;
+  EXPECT_EQ(bench.infoText(), toText(other));
   EXPECT_EQ(test::sweep("merge " + bench.out).exit_code, 0);
+}
+
+TEST(SweepLedger, KnowsOfItsPartsThatTheyAreOther) {
+  SweepLedger whole, other;
+  whole.add(SweepLedger{});
+  EXPECT_FALSE(whole.is_other);
+  other.is_other = true;
+  whole.add(other);
+  whole.add(SweepLedger{});
+  EXPECT_TRUE(whole.is_other);
 }
 
 TEST(SweepProgram, SaysThatAllRowsAreLost) {
@@ -184,16 +202,20 @@ forces: [{type: spring, from: {body: ball}, to: {world: [0, 0, 0]}, stiffness: 1
 }
 
 TEST(SweepProgram, BelievesNoDescriptionThatWasChanged) {
-  const LostRowsBench bench(test::kDoubtfulBall,
-                            "runs: 6\nvary: {bodies.ball.mass: {uniform: [-0.5, 1]}}");
+  LostRowsBench bench(test::kDoubtfulBall,
+                      "runs: 6\nvary: {bodies.ball.mass: {uniform: [-0.5, 1]}}");
   const std::string path = bench.out + "/runs.info";
   const auto fault = [&](const std::string& text) {
     bench.files.written("out/runs.info", text);
     const std::string resumed = bench.sweep("--resume").out,
                       merged = test::sweep("merge " + bench.out).out;
-    const std::string head = "sweep: " + bench.table + ": " + path +
-                             ", which says of which sweep the rows are, ",
-                      tail = "; put it back, or remove the table to begin anew\n";
+    const std::string head = "sweep: " + path + ": ",
+                      tail =
+                          "; only by it is known of which sweep the rows of runs.csv are: put "
+                          "it back, or remove runs.csv to begin anew\n";
+    // they may be of this one
+    EXPECT_EQ(bench.sweep().out, resumed);
+    EXPECT_EQ(test::fileText(bench.table), bench.rows);
     EXPECT_EQ(resumed.substr(0, head.size()), head);
     EXPECT_EQ(resumed.substr(std::max(tail.size(), resumed.size()) - tail.size()), tail);
     const std::string why = resumed.substr(
@@ -219,7 +241,13 @@ TEST(SweepProgram, BelievesNoDescriptionThatWasChanged) {
     EXPECT_EQ(fault(with(line, other)), changed) << line << other;
   EXPECT_EQ(fault("rigid_body_sim sweep 1" + bench.info.substr(bench.info.find('\n'))),
             "is of another version of this program, 'rigid_body_sim sweep 1', not 'rigid_body_sim "
-            "sweep 2'");
+            "sweep 3'");
+  bench.write(bench.rowsBefore(4));
+  bench.rows = bench.rowsBefore(4);
+  EXPECT_EQ(fault(""), "is empty");
+  EXPECT_EQ(fault(bench.info.substr(0, 30)), changed);
+  ASSERT_EQ(std::remove(path.c_str()), 0);
+  EXPECT_EQ(bench.sweep().out.find("sweep: " + path + ": is not there; only by it is known"), 0U);
   bench.files.written("out/runs.info", bench.info);
   EXPECT_EQ(bench.sweep("--resume").exit_code, 0);
 }

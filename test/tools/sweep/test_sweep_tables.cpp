@@ -51,9 +51,9 @@ TEST(SweepProgram, GoesOnWithNoTableThatSomebodyHasChanged) {
       0U);
   ASSERT_EQ(remove((out + "/runs.info").c_str()), 0);
   EXPECT_EQ(test::sweep(command + " --resume").out,
-            "sweep: " + out + "/runs.csv: " + out +
-                "/runs.info, which says of which sweep the rows are, is not there; put it "
-                "back, or remove the table to begin anew\n");
+            "sweep: " + out +
+                "/runs.info: is not there; only by it is known of which sweep the rows of "
+                "runs.csv are: put it back, or remove runs.csv to begin anew\n");
 }
 
 TEST(SweepProgram, MergesMoreShardsThanAProcessMayHaveFilesOpen) {
