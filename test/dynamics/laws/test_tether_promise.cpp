@@ -206,6 +206,24 @@ TEST(TetherPromise, IsTriedBesideARunThatErrsByFarLess) {
   EXPECT_LT(test::motionErrors(beside.state(), truth.motions()).attitude, error / 50);
 }
 
+// A pull magnifies what the flight before it errs by.
+TEST(TetherPromise, IsNotSpoiltByFlightsBetweenPulls) {
+  std::vector<State> ends;
+  for (double tolerance : {1e-2, 1e-12}) {
+    Bench bench = flungBox(tolerance, true);
+    PointWrench push;
+    push.force = {0, 1, 2};
+    push.point = {0, 0, 0.3};
+    push.axes = kOwnBody;
+    bench.world.wrenches = {push};
+    Simulation sim = bench.simulation("auto", kFlungStep);
+    sim.step();
+    ASSERT_TRUE(sim.plans()[0].integrator.empty());
+    ends.push_back(sim.state());
+  }
+  test::expectSameBodyState(ends[0].bodies[0], ends[1].bodies[0]);
+}
+
 // Where a tether stays taut, what was tried at the start is what comes, and it is cheaper.
 TEST(TetherPromise, LeavesATautTetherTheIntegratorThatWasTried) {
   Bench bench = flungBox(1e-4, false);
