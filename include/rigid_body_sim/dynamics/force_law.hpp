@@ -56,7 +56,8 @@ struct Stray {
 ///   Σ f · v + τ · ω = −dV/dt + externalPower.
 class ForceLaw {
  public:
-  /// The bodies of a world or of a part of it, and their states, index by index.
+  /// The bodies of a world or of a part of it, and their states, index by index. Where a body is,
+  /// is x_W + x_low_W: within a step an integrator puts what it moves a body by into x_low_W.
   struct Bodies {
     const std::vector<const Body*>& bodies;
     const std::vector<BodyState>& states;

@@ -71,6 +71,9 @@ struct StepBound {
                            ///< power 9/4 by which an error of order 8 grows beside it
 };
 
+/// Of StepBound::idle: no less than what rounding moves a body by that lies.
+constexpr double kLeastIdle = 1e-16;
+
 /// Memory that an integrator reuses from step to step.
 struct Workspace {
   std::vector<Wrench> wrenches;  ///< at the present states, if wrenches_current

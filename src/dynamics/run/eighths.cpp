@@ -1,5 +1,8 @@
 #include "dynamics/run/eighths.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace rigid_body_sim {
 namespace {
 
@@ -20,14 +23,29 @@ Weights weightsAt(double eighths) {
 
 }  // namespace
 
+/// [eighths] Eight in each eighth; near the ends ever closer to them, so that a minimum beside an
+/// end lies between two places, too.
+EighthsInterpolant::Places EighthsInterpolant::placesToLook() {
+  constexpr double kCloser = 4;
+  Places places{};
+  std::size_t place = 1;  // the first is the start
+  for (std::size_t k = kLooksBesideAnEnd; k > 0; --k)
+    places[place++] = std::pow(kCloser, -static_cast<double>(k)) / 8;
+  for (std::size_t look = 1; look <= 8 * kEighths / 2; ++look)
+    places[place++] = static_cast<double>(look) / 8;
+  for (std::size_t mirrored = 0; place < kLooks; ++place, ++mirrored)
+    places[place] = kEighths - places[kLooks - 1 - place];
+  return places;
+}
+
 EighthsInterpolant::EighthsInterpolant(const Values& values) {
   static const auto kWeights = [] {
-    std::array<Weights, kEighths * kLooks + 1> all;
-    for (std::size_t look = 0; look < all.size(); ++look)
-      all[look] = weightsAt(static_cast<double>(look) / kLooks);
+    std::array<Weights, kLooks> all;
+    const Places places = placesToLook();
+    std::transform(places.begin(), places.end(), all.begin(), weightsAt);
     return all;
   }();
-  for (std::size_t look = 0; look < values_.size(); ++look) {
+  for (std::size_t look = 0; look < kLooks; ++look) {
     values_[look] = 0;
     for (std::size_t k = 0; k < values.size(); ++k) values_[look] += kWeights[look][k] * values[k];
   }
@@ -35,13 +53,18 @@ EighthsInterpolant::EighthsInterpolant(const Values& values) {
 
 /// By the vertices of parabolas through neighbours.
 std::vector<EighthsInterpolant::Minimum> EighthsInterpolant::minima() const {
+  static const Places kPlaces = placesToLook();
   std::vector<Minimum> found;
-  for (std::size_t look = 1; look + 1 < values_.size(); ++look) {
+  for (std::size_t look = 1; look + 1 < kLooks; ++look) {
     const double before = values_[look - 1], here = values_[look], after = values_[look + 1];
-    if (!(here <= before && here <= after && before + after > 2 * here)) continue;
-    const double vertex = 0.5 * (before - after) / (before + after - 2 * here);
-    found.push_back(
-        {(static_cast<double>(look) + vertex) / kLooks, here - 0.25 * (before - after) * vertex});
+    if (!(here <= before && here <= after && (here < before || here < after))) continue;
+    const double x = kPlaces[look];
+    const double left = (here - before) / (x - kPlaces[look - 1]);
+    const double right = (after - here) / (kPlaces[look + 1] - x);
+    const double curvature = (right - left) / (kPlaces[look + 1] - kPlaces[look - 1]);
+    const double slope = left + curvature * (x - kPlaces[look - 1]);
+    const double step = -0.5 * slope / curvature;
+    found.push_back({x + step, here + (slope + curvature * step) * step});
   }
   return found;
 }

@@ -24,9 +24,13 @@ class EighthsInterpolant {
   std::vector<Minimum> minima() const;
 
  private:
-  static constexpr std::size_t kLooks = 8;  // at each eighth
+  static constexpr std::size_t kLooksBesideAnEnd = 5;
+  static constexpr std::size_t kLooks = 8 * kEighths + 1 + 2 * kLooksBesideAnEnd;
 
-  std::array<double, kEighths * kLooks + 1> values_;
+  using Places = std::array<double, kLooks>;
+  static Places placesToLook();
+
+  std::array<double, kLooks> values_;
 };
 
 }  // namespace rigid_body_sim

@@ -130,7 +130,7 @@ StepBound Stepper::stepBound(double h, double rate) const {
   const double allowed = tolerance_.attitude * share * choice_.bound_share * doubled;
   const StepBound follows;
   return {std::clamp(allowed / turned, kRounding, follows.error),
-          std::min(allowed * share / choice_.max_turn_share, follows.idle)};
+          std::clamp(allowed * share / choice_.max_turn_share, kLeastIdle, follows.idle)};
 }
 
 /// [1/s²] Over the step, the rate of Claim kFeedsLeastAxis, of the body where it is greatest.

@@ -33,8 +33,7 @@ void Stepper::moveContactEvents(std::vector<ContactEvent>& events) {
 StepBound Stepper::contactBound() const {
   // least share: of steps of bounces, true errors are 0.1 to 0.7 times that power, the greater the
   // longer the step
-  // idle: no less than what rounding moves a body by that lies
-  constexpr double kIdleShare = 1e-2, kLeastIdle = 1e-16, kLeastShare = 0.25;
+  constexpr double kIdleShare = 1e-2, kLeastShare = 0.25;
   return {choice_.contact_bound, std::max(kIdleShare * choice_.contact_bound, kLeastIdle),
           kLeastShare};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "dynamics/run/group.hpp"
 #include "dynamics/run/position_rounding.hpp"
@@ -27,6 +28,22 @@ TrialRuns::TrialRuns(const World& world, const LawTable& laws, const CoupledBodi
   max_substeps_ = static_cast<int>(std::max(substeps, affordable / steps_));
   const double share = steps_ / wanted;
   tolerance_ = world.solver.tolerance * std::min(1.0, share * share);
+  chooseInstants();
+}
+
+/// At equal distances, since errors grow, and ever closer towards the start, since motions die out,
+/// and with them what was wrong on the way: after even numbers of steps, which a run at twice the
+/// step meets.
+void TrialRuns::chooseInstants() {
+  constexpr int kEqual = 16;
+  constexpr double kFurther = 1.1;
+  std::map<int, bool> instants;
+  for (double step = 2; step < steps_;
+       step = std::max(step + 2, 2 * std::floor(kFurther * step / 2)))
+    instants[static_cast<int>(step)] = true;
+  for (std::int64_t k = 1; k <= kEqual; ++k)
+    instants[static_cast<int>((k * steps_ + kEqual - 1) / kEqual)] = false;
+  for (const auto& [step, is_early] : instants) instants_.push_back({step, is_early});
 }
 
 bool TrialRuns::isStuck(double error, double last_error) const {
@@ -49,7 +66,7 @@ std::optional<TrialRun> TrialRuns::runBySteps(const Method& method, int substeps
         group.advance(time(i + 1 - stride), time(i + 1), schedules);
         group.accept(time(i + 1));
       }
-      if ((i + 1) * kInstants / steps_ > i * kInstants / steps_)
+      if (i + 1 == instants_[run.track.size()].step)
         run.track.push_back(ends ? group.present().bodies : std::vector<BodyState>());
     }
   } catch (const StepTooLong&) {
@@ -74,7 +91,10 @@ double TrialRuns::error(const Track& track, const Track& truth) const {
       const double gap = std::max(0.0, apart - rounding_[group_.members[k]]);
       const double attitude = angleBetween(track[i][k].q_WP, truth[i][k].q_WP);
       if (!std::isfinite(apart + attitude)) return std::numeric_limits<double>::infinity();
-      worst = std::max({worst, attitude, path > 0 ? gap / path : gap});
+      // on the little way at first, any step errs by much
+      const Body& body = world_.bodies[group_.members[k]];
+      const double way = instants_[i].is_early ? std::max(path, radiusOfGyration(body)) : path;
+      worst = std::max({worst, attitude, way > 0 ? gap / way : gap});
     }
   }
   return worst / tolerance_;

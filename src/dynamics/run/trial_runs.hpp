@@ -48,9 +48,14 @@ class TrialRuns {
   double estimatedError(const Method& method, int substeps, const TrialRun& run) const;
 
  private:
-  static constexpr int kInstants = 16;  // of a track
+  /// After so many steps; of a track.
+  struct Instant {
+    int step;
+    bool is_early;  ///< else one of those at equal distances
+  };
 
   double wantedSteps() const;
+  void chooseInstants();
   double timeStep() const { return world_.solver.time_step; }
   double time(int step) const { return start_.t + step * timeStep(); }
   double substepsNeeded() const;
@@ -67,6 +72,7 @@ class TrialRuns {
   std::vector<BodyState> start_states_;
   std::vector<double> rounding_;  // [m] body by body of the world
   int steps_ = 1;
+  std::vector<Instant> instants_;
   int max_substeps_ = 1;
   double tolerance_ = 0;
 };
