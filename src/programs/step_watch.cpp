@@ -35,8 +35,7 @@ bool StepWatch::look() {
   same_ = is_same ? same_ + 1 : 0;
   seen_ = begun;
   if (same_ < kLooks) return true;
-  say_(formatted("%.3g s have not ", patience_) +
-       what_(time_.load(std::memory_order_relaxed)));
+  say_(formatted("%.3g s have not ", patience_) + what_(time_.load(std::memory_order_relaxed)));
   return false;
 }
 

@@ -41,8 +41,8 @@ void printCosts(double bound) {
     }
     std::printf("%-28s %6.1f %9.0e %9.0e %11lld %9.2f\n", c.name.c_str(), c.duration, metre, radian,
                 static_cast<long long>(cost.evaluations), 1e3 * cost.seconds);
-    std::printf("%-28s %6s %9.0e %9.0e %11.0f    (%d events)\n", "  prototype", "", c.metre, c.radian,
-                c.evaluations, c.events);
+    std::printf("%-28s %6s %9.0e %9.0e %11.0f    (%d events)\n", "  prototype", "", c.metre,
+                c.radian, c.evaluations, c.events);
   }
 }
 

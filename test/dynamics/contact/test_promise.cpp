@@ -104,8 +104,7 @@ TEST(Promise, IsSaidBeforeTheRunToBeLostWhereNoStepHoldsIt) {
   EXPECT_EQ(sim.contactTrial().step_bound, kLeastContactBound);
   EXPECT_LT(sim.contactTrial().lost_at, 3);
   const std::vector<std::string> lines = describeSolution(sim);
-  EXPECT_NE(lines.back().find("tolerance 1e-06 is not certain to be held from"),
-            std::string::npos)
+  EXPECT_NE(lines.back().find("tolerance 1e-06 is not certain to be held from"), std::string::npos)
       << lines.back();
 }
 
