@@ -51,20 +51,14 @@ EighthsInterpolant::EighthsInterpolant(const Values& values) {
   }
 }
 
-/// By the vertices of parabolas through neighbours.
-std::vector<EighthsInterpolant::Minimum> EighthsInterpolant::minima() const {
+std::vector<PointOfCurve> EighthsInterpolant::minima() const {
   static const Places kPlaces = placesToLook();
-  std::vector<Minimum> found;
+  std::vector<PointOfCurve> found;
   for (std::size_t look = 1; look + 1 < kLooks; ++look) {
     const double before = values_[look - 1], here = values_[look], after = values_[look + 1];
-    if (!(here <= before && here <= after && (here < before || here < after))) continue;
-    const double x = kPlaces[look];
-    const double left = (here - before) / (x - kPlaces[look - 1]);
-    const double right = (after - here) / (kPlaces[look + 1] - x);
-    const double curvature = (right - left) / (kPlaces[look + 1] - kPlaces[look - 1]);
-    const double slope = left + curvature * (x - kPlaces[look - 1]);
-    const double step = -0.5 * slope / curvature;
-    found.push_back({x + step, here + (slope + curvature * step) * step});
+    if (here <= before && here <= after && (here < before || here < after))
+      found.push_back(
+          vertexOf({kPlaces[look - 1], before}, {kPlaces[look], here}, {kPlaces[look + 1], after}));
   }
   return found;
 }

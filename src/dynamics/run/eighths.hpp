@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "math/parabola.hpp"
+
 namespace rigid_body_sim {
 
 constexpr std::size_t kEighths = 8;
@@ -18,10 +20,7 @@ class EighthsInterpolant {
 
   /// Where, in eighths from the start, it is least between two greater values, and how low there;
   /// neither end is such a place.
-  struct Minimum {
-    double eighths, value;
-  };
-  std::vector<Minimum> minima() const;
+  std::vector<PointOfCurve> minima() const;
 
  private:
   static constexpr std::size_t kLooksBesideAnEnd = 5;

@@ -6,21 +6,13 @@
 #include <limits>
 #include <string>
 
+#include "math/parabola.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
 bool anyBelow(const std::vector<double>& guards) {
   return std::any_of(guards.begin(), guards.end(), [](double guard) { return guard < 0; });
-}
-
-struct Point {
-  double x, y;
-};
-
-/// Where the parabola through three points has its vertex; no number where it is a line.
-double vertexOf(const Point& a, const Point& b, const Point& c) {
-  const double left = (b.y - a.y) / (b.x - a.x), right = (c.y - b.y) / (c.x - b.x);
-  return 0.5 * (a.x + b.x) - 0.5 * left * (c.x - a.x) / (right - left);
 }
 
 double potentialOf(const ForceLaw& law, const ForceLaw::Bodies& at) {
@@ -77,10 +69,10 @@ double EventSearch::belowVertex(const MotionPiece& piece, std::size_t i) {
   for (std::size_t k = 1; k < kEighths; ++k) {
     const double before = samples_[k - 1][i], here = samples_[k][i], after = samples_[k + 1][i];
     if (!(here <= before && here <= after && before + after > 2 * here)) continue;
-    const double vertex = 0.5 * (before - after) / (before + after - 2 * here);
-    if (!isNearZero(i, here - 0.25 * (before - after) * vertex)) continue;
-    const double eighths = static_cast<double>(k) + vertex;
-    if (isBelowAt(piece, eighths)) return eighths;
+    const auto eighths = static_cast<double>(k);
+    const auto [vertex, least] =
+        vertexOf({eighths - 1, before}, {eighths, here}, {eighths + 1, after});
+    if (isNearZero(i, least) && isBelowAt(piece, vertex)) return vertex;
   }
   return kEighths;
 }
@@ -103,18 +95,18 @@ double EventSearch::belowBetween(const MotionPiece& piece, std::size_t i) {
     const double before = guards_[i];
     if (isBelowAt(piece, to)) return to;
     const double after = guards_[i];
-    const double vertex = vertexOf({from, before}, {eighths, here}, {to, after});
+    const double vertex = vertexOf({from, before}, {eighths, here}, {to, after}).x;
     if (vertex > from && vertex < to && isBelowAt(piece, vertex)) return vertex;
   }
   return kEighths;
 }
 
-/// Whether that may be below zero of guard i, for all that a cubic tells.
+/// Whether that may be below zero of guard i, for all that a cubic or a polynomial tells.
 bool EventSearch::isNearZero(std::size_t i, double least) const {
-  constexpr double kCubicErrs = 0.02;  // of the greatest value, where steps are long
+  constexpr double kErrs = 0.02;  // of the greatest value, where steps are long
   double greatest = 0;
   for (const std::vector<double>& guards : samples_) greatest = std::max(greatest, guards[i]);
-  return least < kCubicErrs * greatest;
+  return least < kErrs * greatest;
 }
 
 /// Whether a guard may come near zero, by its samples at quarters of the piece: where it falls

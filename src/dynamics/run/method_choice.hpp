@@ -28,11 +28,11 @@ struct MethodChoice {
 
 /// How a run differs that is compared with another.
 struct Beside {
-  int steps;             ///< of the other that are one of its own
-  double turn_share;     ///< what MethodChoice::max_turn_share is multiplied by
-  double bound_share;    ///< what MethodChoice::bound_share is multiplied by
-  double contact_share;  ///< what MethodChoice::contact_bound is
-  int least_substeps;    ///< of a step that is divided by error estimates
+  int steps = 1;             ///< of the other that are one of its own
+  double turn_share = 1;     ///< what MethodChoice::max_turn_share is multiplied by
+  double bound_share = 1;    ///< what MethodChoice::bound_share is
+  double contact_share = 1;  ///< what MethodChoice::contact_bound is
+  int least_substeps = 1;    ///< of a step that is divided by error estimates
 };
 
 MethodChoice changedBy(const Beside& beside, const MethodChoice& choice);

@@ -38,10 +38,26 @@ ContactTrial Run::contactTrial() const {
   return trial;
 }
 
-Run Run::atTwiceTheStep() const { return beside({2, 2, 1, kCompanionShare, 1}); }
-Run Run::atLooserBounds() const { return beside({1, 1, kCompanionShare, kCompanionShare, 1}); }
+Run Run::atTwiceTheStep() const {
+  Beside other;
+  other.steps = 2;
+  other.turn_share = 2;
+  other.contact_share = kCompanionShare;
+  return beside(other);
+}
+
+Run Run::atLooserBounds() const {
+  Beside other;
+  other.bound_share = other.contact_share = kCompanionShare;
+  return beside(other);
+}
+
 Run Run::atTighterBounds() const {
-  return beside({1, 0.5, 1 / kCompanionShare, 1 / kCompanionShare, 2});
+  Beside other;
+  other.bound_share = other.contact_share = 1 / kCompanionShare;
+  other.turn_share = 0.5;
+  other.least_substeps = 2;
+  return beside(other);
 }
 
 Run Run::beside(const Beside& other) const {

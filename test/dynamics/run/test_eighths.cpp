@@ -21,8 +21,8 @@ TEST(Eighths, ShowAMinimumAnywhereBetweenTheEnds) {
   for (double at : {0.0003, 0.002, 0.03, 0.5, 3.3, 7.9, 7.996, 7.9995}) {
     const auto minima = EighthsInterpolant(valuesOf(dip, at)).minima();
     ASSERT_EQ(minima.size(), 1u) << at;
-    EXPECT_NEAR(minima[0].eighths, at, 8e-4) << at;
-    EXPECT_NEAR(minima[0].value, -0.25, 8e-5) << at;
+    EXPECT_NEAR(minima[0].x, at, 8e-4) << at;
+    EXPECT_NEAR(minima[0].y, -0.25, 8e-5) << at;
   }
 }
 
