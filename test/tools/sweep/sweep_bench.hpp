@@ -35,6 +35,25 @@ inline Outcome sweep(const std::string& arguments, const std::string& environmen
   return runCommand(environment + " " + RIGID_BODY_SIM_SWEEP + " " + arguments + " 2>&1");
 }
 
+/// A scene and a study in files, and where a sweep of them goes.
+struct SweepFiles {
+  SweepFiles(const std::string& scene_text, const std::string& study_text)
+      : scene(files.written("scene.yaml", scene_text)),
+        study(files.written("study.yaml", study_text)) {}
+
+  std::string command() const { return scene + " " + study + " --out " + out; }
+
+  /// Without a plot, on one thread, by a shell that first does what stands before.
+  Outcome sweepAfter(const std::string& before, const std::string& options) const {
+    return runCommand("bash -c '" + before + " PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " +
+                      command() + " --threads 1 " + options + " 2>&1'");
+  }
+
+  TemporaryDirectory files{};
+  std::string scene, study;
+  std::string out = files.path("out"), table = out + "/runs.csv";
+};
+
 inline std::string fileText(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();

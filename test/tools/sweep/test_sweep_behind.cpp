@@ -18,17 +18,12 @@
 namespace rigid_body_sim {
 namespace {
 
-struct EndedSweep {
-  TemporaryDirectory files;
-  std::string scene = files.written("scene.yaml", test::kPushedBall);
-  std::string study =
-      files.written("study.yaml", "runs: 400\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
-  std::string out = files.path("out"), table = out + "/runs.csv";
+struct EndedSweep : test::SweepFiles {
+  EndedSweep()
+      : SweepFiles(test::kPushedBall, "runs: 400\nvary: {bodies.ball.mass: {uniform: [1, 2]}}") {}
 
   test::Outcome sweep(const std::string& options = "", const std::string& before = "") const {
-    return test::runCommand("bash -c '" + before + " PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " +
-                            scene + " " + study + " --threads 1 --out " + out + " " + options +
-                            " 2>&1'");
+    return sweepAfter(before, options);
   }
 };
 

@@ -11,18 +11,16 @@
 namespace rigid_body_sim {
 namespace {
 
-struct ForeignBench {
-  TemporaryDirectory files;
-  std::string scene = files.written("scene.yaml", test::kPushedBall);
-  std::string study =
-      files.written("study.yaml", "runs: 6\nvary: {bodies.ball.mass: {list: [1, 2]}}");
+struct ForeignBench : test::SweepFiles {
+  ForeignBench()
+      : SweepFiles(test::kPushedBall, "runs: 6\nvary: {bodies.ball.mass: {list: [1, 2]}}") {}
 
   /// Which would wait for ever where it reads a pipe.
   test::Outcome sweep(const std::string& arguments) const {
     return test::sweep(arguments, "PATH=/usr/bin:/bin timeout 20 env PATH=/nonexistent");
   }
-  test::Outcome into(const std::string& out, const std::string& options = "") const {
-    return sweep(scene + " " + study + " --out " + files.path(out) + " " + options);
+  test::Outcome into(const std::string& directory, const std::string& options = "") const {
+    return sweep(scene + " " + study + " --out " + files.path(directory) + " " + options);
   }
   std::string emptyDirectory(const std::string& name) const {
     std::filesystem::remove_all(files.path(name));

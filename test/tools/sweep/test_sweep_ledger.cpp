@@ -19,14 +19,13 @@ std::optional<TableInfo> infoIn(const std::string& directory, const std::string&
 }
 
 /// A sweep whose runs have a doubtful error, but those whose masses are refused.
-struct DoubtfulSweep {
-  TemporaryDirectory files;
-  std::string scene = files.written("scene.yaml", test::kDoubtfulBall);
-  std::string study = files.written(
-      "study.yaml", "runs: 12\nseed: 2\nvary: {bodies.ball.mass: {uniform: [-0.2, 1]}}");
+struct DoubtfulSweep : test::SweepFiles {
+  DoubtfulSweep()
+      : SweepFiles(test::kDoubtfulBall,
+                   "runs: 12\nseed: 2\nvary: {bodies.ball.mass: {uniform: [-0.2, 1]}}") {}
 
-  test::Outcome sweep(const std::string& out, const std::string& options = "") const {
-    return test::sweep(scene + " " + study + " --out " + files.path(out) + " " + options,
+  test::Outcome sweep(const std::string& directory, const std::string& options = "") const {
+    return test::sweep(scene + " " + study + " --out " + files.path(directory) + " " + options,
                        kWithoutPlot);
   }
 };

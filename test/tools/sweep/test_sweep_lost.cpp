@@ -18,10 +18,9 @@ namespace {
 const std::string kOtherRows = "with the runs that were lost its rows are not those";
 
 /// A sweep that has been made, whose files can be changed. Without a fan.
-struct LostRowsBench {
+struct LostRowsBench : test::SweepFiles {
   LostRowsBench(const std::string& scene_text, const std::string& study_text)
-      : scene(files.written("scene.yaml", scene_text)),
-        study(files.written("study.yaml", study_text)) {
+      : SweepFiles(scene_text, study_text) {
     EXPECT_EQ(sweep().exit_code, 0);
     rows = test::fileText(table);
     info = infoText();
@@ -30,9 +29,7 @@ struct LostRowsBench {
   test::Outcome sweep(const std::string& options = "", int most_kilobytes = 0) const {
     const std::string limit =
         most_kilobytes > 0 ? "ulimit -f " + std::to_string(most_kilobytes) + ";" : "";
-    return test::runCommand("bash -c '" + limit + " PATH=/nonexistent " RIGID_BODY_SIM_SWEEP " " +
-                            scene + " " + study + " --threads 1 --out " + out + " " + options +
-                            " 2>&1'");
+    return sweepAfter(limit, options);
   }
   std::string infoText() const { return test::fileText(out + "/runs.info"); }
   TableInfo infoThere() const { return tableInfoIn(infoText()).value_or(TableInfo{}); }
@@ -48,8 +45,6 @@ struct LostRowsBench {
   }
   void write(const std::string& text) const { files.written("out/runs.csv", text); }
 
-  TemporaryDirectory files;
-  std::string scene, study, out = files.path("out"), table = out + "/runs.csv";
   std::string rows, info;  // as they were written
 };
 

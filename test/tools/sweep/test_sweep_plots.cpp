@@ -12,13 +12,15 @@ namespace rigid_body_sim {
 
 using test::sweep;
 
+namespace {
+const std::string kFiveRuns = "runs: 5\nvary: {bodies.ball.mass: {uniform: [1, 2]}}";
+}  // namespace
+
 TEST(SweepProgram, SaysWhereThePlotCannotBeWritten) {
-  const TemporaryDirectory files;
-  const std::string scene = files.written("scene.yaml", test::kPushedBall);
-  const std::string study =
-      files.written("study.yaml", "runs: 5\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
-  const std::string svg = files.path("out/sweep.svg");
-  const std::string command = scene + " " + study + " --out " + files.path("out");
+  const test::SweepFiles of_sweep(test::kPushedBall, kFiveRuns);
+  const TemporaryDirectory& files = of_sweep.files;
+  const std::string svg = of_sweep.out + "/sweep.svg";
+  const std::string command = of_sweep.command();
   ASSERT_EQ(test::runCommand("mkdir -p " + svg).exit_code, 0);
   const auto lastLine = [](const std::string& text) {
     return text.substr(text.rfind('\n', text.size() - 2) + 1);
@@ -47,11 +49,9 @@ TEST(SweepProgram, SaysWhereThePlotCannotBeWritten) {
 
 // A gnuplot that ends the process which has started it.
 TEST(SweepProgram, SaysThatItIsStoppedBesideAWholeTable) {
-  const TemporaryDirectory files;
-  const std::string scene = files.written("scene.yaml", test::kPushedBall);
-  const std::string study =
-      files.written("study.yaml", "runs: 5\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
-  const std::string out = files.path("out"), gnuplot = files.path("gnuplot");
+  const test::SweepFiles of_sweep(test::kPushedBall, kFiveRuns);
+  const TemporaryDirectory& files = of_sweep.files;
+  const std::string out = of_sweep.out, gnuplot = files.path("gnuplot");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(signal, SIG_DFL);
     files.written("gnuplot", "#!/bin/sh\nkill -" + std::to_string(signal) + " $SWEEP\n");
@@ -62,7 +62,7 @@ TEST(SweepProgram, SaysThatItIsStoppedBesideAWholeTable) {
                               " >/dev/null 2>" + files.path("said") + "); code=$?; cat " +
                               files.path("said") + "; exit $code' 2>/dev/null");
     };
-    const test::Outcome run = ended(scene + " " + study + " --out " + out);
+    const test::Outcome run = ended(of_sweep.command());
     EXPECT_EQ(run.exit_code, 128 + signal);
     EXPECT_EQ(run.out,
               "sweep: stopped: all runs are in runs.csv, and the same command with --resume makes "

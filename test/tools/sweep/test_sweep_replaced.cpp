@@ -17,15 +17,11 @@ using test::fileText;
 
 const std::string kNoPlot = "PATH=/nonexistent";
 
-struct Bench {
-  TemporaryDirectory files;
-  std::string scene = files.written("scene.yaml", test::kPushedBall);
-  std::string study =
-      files.written("study.yaml", "runs: 6\nvary: {bodies.ball.mass: {list: [1, 2]}}");
-  std::string out = files.path("out");
+struct Bench : test::SweepFiles {
+  Bench() : SweepFiles(test::kPushedBall, "runs: 6\nvary: {bodies.ball.mass: {list: [1, 2]}}") {}
 
   test::Outcome sweep(const std::string& options = "") const {
-    return test::sweep(scene + " " + study + " --out " + out + " " + options, kNoPlot);
+    return test::sweep(command() + " " + options, kNoPlot);
   }
   /// Leaves the first rows of a table.
   void cut(const std::string& name, int rows) const {
