@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -184,26 +185,46 @@ TEST(TetherPromise, GoesOnFromAStateWithTheSameBits) {
   test::expectToGoOnTheSame(sim, {20, 30, 50, 40});
 }
 
-// Steps that err by less than they may are not divided: looser bounds would change none of them.
-TEST(TetherPromise, IsTriedBesideARunThatErrsByFarLess) {
+/// [rad] How far a run by estimates, and the one beside it, are from the reference, and from each
+/// other, a quarter of a second on.
+struct ErrorsBeside {
+  double run, beside, apart;
+};
+ErrorsBeside errorsBeside(double tolerance, double step) {
   Bench bench = flungBox(1e-2, false);
   bench.world.solver.integrator = "auto";
-  bench.world.solver.time_step = kFlungStep;
+  bench.world.solver.time_step = step;
+  State start = Simulation(bench.world, bench.initial).state();
+  EXPECT_TRUE(start.plans[0].by_estimates);
+  start.contact_bound = contactStepBound(tolerance);
+  bench.world.solver.tolerance = tolerance;
   rigid_body_sim::Run run(std::make_shared<const World>(bench.world),
-                          std::make_shared<const State>(bench.initial));
-  ContactTrial by_estimates = run.contactTrial();
-  by_estimates.regroups = true;
-  run.boundContact(by_estimates);
+                          std::make_shared<const State>(start));
   rigid_body_sim::Run beside = run.atTighterBounds();
-  TetherReference truth(bench);
-  for (int k = 0; k < 25; ++k) {
+  while (run.now().time < 0.25 - 1e-9) {
     run.step();
     beside.step();
   }
-  truth.goOn(Real(0.25L));
-  const double error = test::motionErrors(run.state(), truth.motions()).attitude;
-  EXPECT_GT(error, 1e-8);
-  EXPECT_LT(test::motionErrors(beside.state(), truth.motions()).attitude, error / 50);
+  TetherReference truth(bench);
+  truth.goOn(Real(run.now().time));
+  return {test::motionErrors(run.state(), truth.motions()).attitude,
+          test::motionErrors(beside.state(), truth.motions()).attitude,
+          angleBetween(run.body(0).q_WP, beside.body(0).q_WP)};
+}
+
+// Steps that err by less than they may are not divided: looser bounds would change none of them.
+// Steps that are divided by estimates err by less where the bounds are tighter.
+TEST(TetherPromise, IsTriedBesideARunThatErrsByFarLess) {
+  for (const auto& [tolerance, step] : {std::pair(1e-2, 0.01), std::pair(1e-6, 0.05)}) {
+    const ErrorsBeside errors = errorsBeside(tolerance, step);
+    EXPECT_LT(errors.beside, errors.run / 50) << tolerance;
+  }
+}
+
+// At the least bound, substeps follow from what swings fastest alone.
+TEST(TetherPromise, IsTriedBesideAnotherRunAtTheLeastBound) {
+  const ErrorsBeside errors = errorsBeside(1e-11, 0.125);
+  EXPECT_GT(errors.apart, 1e-15);  // of the same bits it is below a rounding
 }
 
 // A pull magnifies what the flight before it errs by.
