@@ -6,17 +6,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <future>
-#include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include "programs/usage.hpp"
+#include "scene/files/write_file.hpp"
 #include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
@@ -37,32 +36,10 @@ std::string pictureDirectory(const std::string& option, const std::string& path)
 
 namespace {
 
-/// What gnuplot cannot write it draws on the standard output.
-void requireWritable(const std::string& picture) {
-  std::FILE* file = std::fopen(picture.c_str(), "ab");
-  if (!file) throw std::runtime_error(picture + ": cannot be written: " + std::strerror(errno));
-  std::fclose(file);
-}
-
-/// Of a disk that is full gnuplot says nothing.
 bool isWhole(const std::string& picture) {
   constexpr std::size_t kTail = 16;
   return picture.find("</svg>", picture.size() - std::min(picture.size(), kTail)) !=
          std::string::npos;
-}
-
-std::string textOfPicture(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-/// Throws std::runtime_error, which names the picture.
-void draw(const std::string& command, const std::string& script, const std::string& picture) {
-  std::FILE* gnuplot = popen(command.c_str(), "w");
-  if (!gnuplot) throw std::runtime_error("gnuplot cannot be started");
-  std::fputs(script.c_str(), gnuplot);
-  if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot could not draw " + picture);
 }
 
 /// Two ends of a pipe, of which a child sees none unless it opens one by its path.
@@ -100,32 +77,23 @@ class PicturePipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-// its warnings are about its script, which the user has not written
-const std::string kGnuplot = "gnuplot 2>/dev/null";
+/// Lets gnuplot draw to a file.
+void draw(const std::string& script, const std::string& to, const std::string& name) {
+  // its warnings are about its script, which the user has not written
+  std::FILE* gnuplot = popen(("gnuplot 2>/dev/null >" + to).c_str(), "w");
+  if (!gnuplot) throw std::runtime_error("gnuplot cannot be started");
+  std::fputs(script.c_str(), gnuplot);
+  if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot could not draw " + name);
+}
 
 }  // namespace
-
-void runGnuplot(const std::string& script, const std::string& picture) {
-  requireWritable(picture);
-  try {
-    draw(kGnuplot, script, picture);
-    if (!isWhole(textOfPicture(picture)))
-      throw std::runtime_error(picture +
-                               ": ends before the end of the picture; is there room on the disk?");
-  } catch (const std::runtime_error&) {
-    std::error_code kept;
-    // what is not whole is no picture
-    if (std::filesystem::is_regular_file(picture, kept)) std::filesystem::remove(picture, kept);
-    throw;
-  }
-}
 
 std::string drawnByGnuplot(const std::string& script, const std::string& name) {
   PicturePipe pipe;
   // beside the script: neither end waits for the other
   std::future<std::string> drawn = std::async(std::launch::async, [&] { return pipe.readAll(); });
   try {
-    draw(kGnuplot + " >" + pipe.inputPath(), script, name);
+    draw(script, pipe.inputPath(), name);
   } catch (...) {
     pipe.closeInput();
     throw;
@@ -134,6 +102,12 @@ std::string drawnByGnuplot(const std::string& script, const std::string& name) {
   std::string picture = drawn.get();
   if (!isWhole(picture)) throw std::runtime_error("gnuplot could not draw the end of " + name);
   return picture;
+}
+
+void drawByGnuplot(const std::string& script, const std::string& picture) {
+  std::error_code fault = writeFault(picture);
+  if (!fault) fault = writeFile(picture, drawnByGnuplot(script, oneLine(picture)));
+  if (fault) throw std::runtime_error(oneLine(picture) + ": cannot be written: " + fault.message());
 }
 
 std::string gnuplotText(const std::string& text) {

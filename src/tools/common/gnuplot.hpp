@@ -15,14 +15,12 @@ std::string gnuplotIsMissing(const std::string& there);
 /// not take: it must not be empty, nor have line ends in it. option: without its dashes.
 std::string pictureDirectory(const std::string& option, const std::string& path);
 
-/// Gives gnuplot a script. Throws std::runtime_error, which names the picture, where it fails,
-/// and leaves none then.
-void runGnuplot(const std::string& script, const std::string& picture);
-
-/// What gnuplot writes to its standard output by a script: an SVG that is whole. Throws
-/// std::runtime_error, which says the name of the picture. Nothing is left of it in any file,
-/// whenever the process is ended.
+/// The SVG that gnuplot draws by a script, whole. Throws std::runtime_error, which says the name of
+/// the picture. Nothing is left of it in any file, whenever the process is ended.
 std::string drawnByGnuplot(const std::string& script, const std::string& name);
+
+/// The same, written to a file, which stays as it was where that fails.
+void drawByGnuplot(const std::string& script, const std::string& picture);
 
 /// As gnuplot reads a text of one line word for word: in double quotes it would run what stands in
 /// backquotes.

@@ -83,8 +83,7 @@ std::string reasonOf(const Simulation& simulation, double t_end) {
   if (!(t_end > kMany * h))
     return "each of its steps of " + shortest(h) +
            " s takes long, or the processor is busy; fewer bodies that move or a looser tolerance "
-           "make "
-           "them cheaper";
+           "make them cheaper";
   return "it takes many steps of " + shortest(h) + " s; a longer time_step takes fewer";
 }
 

@@ -1,11 +1,7 @@
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include "scene/files/number_text.hpp"
 #include "scene/message_text.hpp"
@@ -149,7 +145,7 @@ void plotPanel(const Figure& figure, std::size_t i, double height, std::ostream&
   script << '\n';
 }
 
-std::string scriptOf(const Figure& figure, const std::string& time_axis, const std::string& svg) {
+std::string scriptOf(const Figure& figure, const std::string& time_axis) {
   const double height = kHead + kFoot + kPanel * static_cast<double>(figure.panels.size());
   const Range times = timesOf(figure);
   std::ostringstream script;
@@ -157,9 +153,9 @@ std::string scriptOf(const Figure& figure, const std::string& time_axis, const s
     for (std::size_t k = 0; k < figure.panels[i].curves.size(); ++k)
       writeBlock(blockName(i, k), figure.panels[i].curves[k], script);
   script << "set encoding utf8\nset terminal svg size " << kWidth << ',' << height
-         << " noenhanced font 'sans,13' background 'white'\nset output " << gnuplotText(svg)
-         << "\ntimeaxis = " << gnuplotText(time_axis) << "\nset multiplot title "
-         << gnuplotText(titleText(figure.title)) << " font ',15'\nset grid lc rgb '#dddddd'\n"
+         << " noenhanced font 'sans,13' background 'white'\ntimeaxis = " << gnuplotText(time_axis)
+         << "\nset multiplot title " << gnuplotText(titleText(figure.title))
+         << " font ',15'\nset grid lc rgb '#dddddd'\n"
          << "set lmargin at screen 0.12\nset rmargin at screen 0.76\nset format y '%.8g'\n"
          << "set xrange [" << numberText(times.low) << ':' << numberText(times.high) << "]\n"
          << "set ytics nomirror\nset xtics nomirror\n"
@@ -172,9 +168,7 @@ std::string scriptOf(const Figure& figure, const std::string& time_axis, const s
 }  // namespace
 
 void drawFigure(const Figure& figure, const std::string& time_axis, const std::string& svg) {
-  if (!std::ofstream(svg))  // gnuplot would say so in many lines
-    throw std::runtime_error(oneLine(svg) + ": cannot be written: " + std::strerror(errno));
-  runGnuplot(scriptOf(figure, time_axis, svg), svg);
+  drawByGnuplot(scriptOf(figure, time_axis), svg);
 }
 
 }  // namespace rigid_body_sim

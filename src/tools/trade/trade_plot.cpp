@@ -28,7 +28,7 @@ std::vector<std::string> namesOf(const std::vector<Setting>& settings) {
   return names;
 }
 
-std::string scriptOf(const Trade& trade, const std::string& svg_path) {
+std::string scriptOf(const Trade& trade) {
   std::ostringstream script;
   const std::vector<std::string> names = namesOf(trade.settings);
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -42,7 +42,6 @@ std::string scriptOf(const Trade& trade, const std::string& svg_path) {
       script);
   const std::string scene = std::filesystem::path(trade.scene).filename().string();
   script << "set terminal svg size 900,600 noenhanced font 'sans,14' background 'white'\n"
-         << "set output " << gnuplotText(svg_path) << "\n"
          << "set title " << gnuplotText("What accuracy costs: " + oneLine(scene)) << "\n"
          << "set xlabel 'processor time per simulated second [us]'\n"
          << "set ylabel 'worst error: attitude [rad] or position / path'\n"
@@ -62,7 +61,7 @@ std::string scriptOf(const Trade& trade, const std::string& svg_path) {
 }  // namespace
 
 void plotTrade(const Trade& trade, const std::string& svg_path) {
-  runGnuplot(scriptOf(trade, svg_path), svg_path);
+  drawByGnuplot(scriptOf(trade), svg_path);
 }
 
 }  // namespace rigid_body_sim
