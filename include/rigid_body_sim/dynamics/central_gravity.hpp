@@ -8,7 +8,7 @@ namespace rigid_body_sim {
 /// centre of mass,
 ///   f = −mu m r/|r|³,   V = −mu m/|r|,
 /// and with the gradient also the torque of the uneven pull on a long body,
-///   τ = 3 mu/|r|⁵ r × (I r).
+///   τ = 3 mu/|r|⁵ r × (I r),   I of the whole body, its wheels included.
 /// The force that belongs to that torque is smaller than f by (size of the body/|r|)² and left out,
 /// so that the torque has no potential: its power counts as external.
 class CentralGravity final : public ForceLaw {

@@ -5,6 +5,21 @@
 #include "dynamics/laws/law_rules.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+/// I n of the whole body, principal axes: with what wheels have about their own axes, which I of
+/// Body leaves out. Gravity pulls at them, whether they turn or not.
+Vector3d wholeInertiaTimes(const Body& body, const Vector3d& n_P) {
+  Vector3d product = body.I.cwiseProduct(n_P);
+  for (const Actuator& actuator : body.actuators)
+    if (const Wheel* wheel = std::get_if<Wheel>(&actuator.kind)) {
+      const Vector3d axis_P = rotateBack(body.q_BP, wheel->axis_B);
+      product += wheel->inertia * axis_P.dot(n_P) * axis_P;
+    }
+  return product;
+}
+
+}  // namespace
 
 CentralGravity::CentralGravity(std::size_t body, const Vector3d& center_W, double mu, bool gradient)
     : body_(body), gravity_{center_W, mu}, gradient_(gradient) {
@@ -31,7 +46,7 @@ Vector3d CentralGravity::gradientTorque(const Body& body, const BodyState& state
   const Vector3d r_W = radius(state);
   const double r = r_W.norm();
   const Vector3d n_P = rotateBack(state.q_WP, Vector3d(r_W / r));
-  return 3 * gravity_.mu / (r * r * r) * n_P.cross(body.I.cwiseProduct(n_P));
+  return 3 * gravity_.mu / (r * r * r) * n_P.cross(wholeInertiaTimes(body, n_P));
 }
 
 void CentralGravity::addWrenches(const Bodies& at, std::vector<Wrench>& wrenches) const {
