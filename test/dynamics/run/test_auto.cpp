@@ -131,7 +131,8 @@ TEST(Auto, HoldsItsToleranceWhereTheMotionQuickensAfterTheTrialHasEnded) {
   EXPECT_LT((sim.body(0).x_W - Vector3d(-1.53270178, 0.10311649, 0)).norm(), 1e-8);
 }
 
-// dop853 divides a step that is long beside the orbit by itself; two runs in the same parts agree.
+// dop853 divides a step that is long beside the orbit by itself; two runs in the same substeps
+// agree.
 TEST(Auto, HoldsItsToleranceWhereAStepIsLongBesideTheOrbit) {
   constexpr double kTimeStep = 0.01, kRadius = 2;
   for (double turn_a_step : {0.3, 1.0, 2.0, 3.0, 10.0}) {
