@@ -201,7 +201,7 @@ TEST(SpringPair, KeepsItsMomentum) {
   }
 }
 
-// Bodies that no law links are none the wiser.
+// To bodies that no law links it makes no difference.
 TEST(SpringPair, MovesTheSameBesideOthers) {
   const Bench alone = test::springPair(1);
   Bench among;

@@ -124,7 +124,7 @@ TEST(Auto, HoldsItsToleranceWhereTheMotionQuickensAfterTheTrialHasEnded) {
             std::string::npos)
       << describeSolution(sim)[0];
   while (sim.steps() < 100) sim.step();
-  EXPECT_FALSE(sim.plans()[0].by_estimates);  // which is dearer
+  EXPECT_FALSE(sim.plans()[0].by_estimates);  // which would cost more
   while (sim.steps() < 100000) sim.step();
   EXPECT_TRUE(sim.plans()[0].by_estimates);
   // by the closed form, as an independent program evaluates it, to the digits that are given
