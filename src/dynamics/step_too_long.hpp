@@ -4,7 +4,7 @@
 
 namespace rigid_body_sim {
 
-/// A step over which a method cannot follow the motion, in whatever parts.
+/// A step over which a method cannot follow the motion, in however many substeps.
 class StepTooLong : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -10,8 +10,8 @@
 
 // Where the integrators for conservative motion earn their place: the energy error against the
 // processor time that it takes, for a body that swings on a spring, and for one held in a net of 64
-// springs, where evaluations are dear. An integrator is tried at ever shorter steps, until they no
-// longer gain; `*` marks what no other setting reaches in as little time.
+// springs, where evaluations are costly. An integrator is tried at ever shorter steps, until they
+// no longer gain; `*` marks what no other setting reaches in as little time.
 
 namespace rigid_body_sim {
 namespace {

@@ -101,8 +101,8 @@ class NodeLoad {
     if (t < measuring_from_) return;
     ++received_;
     if (!is_first) return;
-    if (last_heard_ > 0) interval_.push_back(t - last_heard_);
-    last_heard_ = t;
+    if (last_received_ > 0) interval_.push_back(t - last_received_);
+    last_received_ = t;
     const double change = message.twist.twist.linear.z - last_velocity_;
     is_steady_ = std::abs(change - last_change_) < kRounding;
     last_velocity_ += change;
@@ -128,7 +128,7 @@ class NodeLoad {
   std::mt19937 random_{1};
   double force_ = -1;  // [N] of the last probe
   bool is_steady_ = false, probe_is_out_ = false;
-  double probed_at_ = 0, last_velocity_ = 0, last_change_ = 0, last_heard_ = 0;
+  double probed_at_ = 0, last_velocity_ = 0, last_change_ = 0, last_received_ = 0;
   double measuring_from_ = std::numeric_limits<double>::infinity();
   double elapsed_ = 0, sent_rate_ = 0;
   long long received_ = 0;

@@ -21,7 +21,7 @@ const Names kFewIntegrators{"auto", "strang", "rk4", "dop853"};
 
 using Section = std::function<Cells()>;
 
-/// All sections by name; those that name no integrator run by all that accept what they hold.
+/// All sections by name; those that name no integrator run by all that support what they hold.
 std::vector<std::pair<std::string, Section>> sections() {
   std::vector<std::pair<std::string, Section>> named;
   const auto add = [&](const std::string& name, const std::function<Cells(const Names&)>& section,

@@ -11,6 +11,7 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 
+#include "fuzz/one_line.hpp"
 #include "ros/inputs/command_intake.hpp"
 
 namespace rigid_body_sim {
@@ -74,8 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     for (const CommandInput& input : inputs)
       if (!isSound(input.command, world)) std::abort();
   } catch (const std::invalid_argument& refused) {
-    const std::string fault = refused.what();
-    if (fault.find_first_of("\n\r") != std::string::npos || fault.size() > 1000) std::abort();
+    requireOneLine(refused.what(), 1000);
   }
   return 0;
 }

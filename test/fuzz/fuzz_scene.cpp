@@ -1,10 +1,11 @@
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
+
+#include "fuzz/one_line.hpp"
 
 /// Any text is read to the state that a simulation starts from, or refused in one line. To be run
 /// in an empty directory, for a scene may name files.
@@ -16,8 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const World world = buildWorld(scene);
     initialState(scene, world);
   } catch (const SceneError& refused) {
-    const std::string line = refused.what();
-    if (line.find_first_of("\n\r") != std::string::npos || line.size() > 10000) std::abort();
+    requireOneLine(refused.what());
   }
   return 0;
 }

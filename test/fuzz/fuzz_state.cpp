@@ -1,6 +1,5 @@
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -8,6 +7,8 @@
 #include <rigid_body_sim/scene/build_world.hpp>
 #include <rigid_body_sim/scene/load_scene.hpp>
 #include <rigid_body_sim/scene/state_file.hpp>
+
+#include "fuzz/one_line.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -26,10 +27,6 @@ Simulation simulationOfScene() {
   const Scene scene = parseScene(kSavedScene, "fuzz.yaml");
   const World world = buildWorld(scene);
   return Simulation(world, initialState(scene, world));
-}
-
-void requireOneLine(const std::string& line) {
-  if (line.find_first_of("\n\r") != std::string::npos || line.size() > 10000) std::abort();
 }
 
 }  // namespace

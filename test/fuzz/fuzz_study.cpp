@@ -1,10 +1,10 @@
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 #include <rigid_body_sim/scene/scene_error.hpp>
 
+#include "fuzz/one_line.hpp"
 #include "scene/study/study.hpp"
 
 /// Any text is read as a study, or refused in one line.
@@ -13,8 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     parseStudy(std::string(reinterpret_cast<const char*>(data), size), "fuzz.yaml");
   } catch (const SceneError& refused) {
-    const std::string line = refused.what();
-    if (line.find_first_of("\n\r") != std::string::npos || line.size() > 10000) std::abort();
+    requireOneLine(refused.what());
   }
   return 0;
 }

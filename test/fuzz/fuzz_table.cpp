@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "fuzz/one_line.hpp"
 #include "support/temporary_directory.hpp"
 #include "tools/sweep/kept_rows.hpp"
 #include "tools/sweep/merge_shards.hpp"
@@ -19,10 +20,6 @@ namespace {
 
 void require(bool holds) {
   if (!holds) std::abort();
-}
-
-void requireOneLine(const std::string& line) {
-  require(line.find_first_of("\n\r") == std::string::npos && line.size() <= 10000);
 }
 
 /// runs.info with a seal that fits, so that not every change ends there.

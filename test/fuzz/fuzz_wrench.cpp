@@ -13,6 +13,7 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "dynamics/wrenches/wrench_schedule.hpp"
+#include "fuzz/one_line.hpp"
 #include "ros/inputs/wrench_intake.hpp"
 #include "support/lopsided_box.hpp"
 
@@ -67,8 +68,7 @@ void take(std::size_t bodies, const Resolve& resolve) {
   try {
     input = resolve();
   } catch (const std::invalid_argument& refused) {
-    const std::string fault = refused.what();
-    if (fault.find_first_of("\n\r") != std::string::npos || fault.size() > 1000) std::abort();
+    requireOneLine(refused.what(), 1000);
     return;
   }
   if (!isSound(input.wrench, bodies, kNow)) std::abort();

@@ -94,13 +94,14 @@ TEST_F(Recorded, RunFromALoadedStateIsRepeatedFromThere) {
 TEST_F(Recorded, NothingIsRecordedWithoutSubscribers) {
   std::size_t subscribers = 0;
   std::vector<Input> recorded;
-  Inputs unheard({[&] { return subscribers; },
-                  [&](const Input& message, const ros::Time&) { recorded.push_back(message); }},
-                 "world", run, origin, 0);
-  unheard.apply(ClearInput{});
+  Inputs watched_late(
+      {[&] { return subscribers; },
+       [&](const Input& message, const ros::Time&) { recorded.push_back(message); }},
+      "world", run, origin, 0);
+  watched_late.apply(ClearInput{});
   EXPECT_TRUE(recorded.empty());
   subscribers = 1;
-  unheard.apply(ClearInput{});
+  watched_late.apply(ClearInput{});
   ASSERT_EQ(recorded.size(), 1U);
   EXPECT_EQ(recorded[0].number, 1U);  // so that a replay knows that one is missing
 }

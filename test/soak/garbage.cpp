@@ -32,7 +32,7 @@ class Garbage {
       for (int i = 0; i < 100; ++i) publishOne();
       ros::getGlobalCallbackQueue()->callAvailable();
       const Clock::time_point now = Clock::now();
-      if (now - last_heard_ > std::chrono::duration<double>(kLongestSilence)) {
+      if (now - last_received_ > std::chrono::duration<double>(kLongestSilence)) {
         std::printf("no odometry for %.0f s\n", kLongestSilence);
         return 1;
       }
@@ -49,7 +49,7 @@ class Garbage {
 
   void receive(const nav_msgs::Odometry&) {
     ++received_;
-    last_heard_ = Clock::now();
+    last_received_ = Clock::now();
   }
 
   void publishOne() {
@@ -100,7 +100,7 @@ class Garbage {
 
   std::mt19937 random_{1};
   long long sent_ = 0, received_ = 0;
-  Clock::time_point last_heard_ = Clock::now();
+  Clock::time_point last_received_ = Clock::now();
   ros::NodeHandle nh_;
   ros::Publisher general_;
   ros::Publisher everyday_;

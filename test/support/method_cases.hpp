@@ -98,12 +98,12 @@ inline unsigned needsOf(const Case& c) {
   return needs;
 }
 
-/// The cases that an integrator accepts.
+/// The cases that an integrator supports.
 inline std::vector<Case> casesFor(const Method& method) {
-  std::vector<Case> accepted;
+  std::vector<Case> supported;
   for (const Case& c : allCases())
-    if (method.supports(needsOf(c))) accepted.push_back(c);
-  return accepted;
+    if (method.supports(needsOf(c))) supported.push_back(c);
+  return supported;
 }
 
 }  // namespace rigid_body_sim::test

@@ -19,7 +19,7 @@ inline Patience hasty(const World& world) {
   return {kBriefly, kSteps * methodNamed("semi_implicit_euler").cost * movingBodyCount(world)};
 }
 
-/// Every integrator that takes the world, over its ladder; auto, which chooses one, left out.
+/// Every integrator that supports the world, over its ladder; auto, which chooses one, left out.
 inline std::vector<Setting> ladders(const World& world, const State& initial,
                                     const Reference& reference) {
   const Patience patience = hasty(world);

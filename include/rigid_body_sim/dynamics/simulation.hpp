@@ -81,11 +81,11 @@ class Simulation {
   Simulation& operator=(Simulation&& other) noexcept;
   ~Simulation();
 
-  /// As it is now: setMassProperties, reset and load may change mass properties, and what goes by
+  /// As it is now: setMassProperties, setPresent, reset and load may change bodies and what goes by
   /// them; then this is another object.
   const World& world() const;
 
-  /// How often the world has become another since the start: its references are to be taken anew.
+  /// How often world() became another object since the start; references into it are then stale.
   std::size_t worldChanges() const;
   double time() const;  ///< [s] since the start, steps() × step
   std::int64_t steps() const;
@@ -105,7 +105,7 @@ class Simulation {
   State sample(double t) const;
 
   /// How bodies, fixed ones too, move and accelerate at a time between now and the next step, in
-  /// the order of these indices. Of no other body anything is computed.
+  /// the order of these indices. Nothing is computed of any other body.
   std::vector<BodyMotion> motions(const std::vector<std::size_t>& bodies, double t) const;
 
   /// One time step. Throws SimulationDiverged; then nothing has happened, to any body.
@@ -194,7 +194,7 @@ class Simulation {
   /// How the bodies are advanced, group by group.
   std::vector<MotionPlan> plans() const;
 
-  /// How steps in contact are bounded. Of a scene without contact it means nothing.
+  /// How steps in contact are bounded. In a scene without contact and tethers it means nothing.
   ContactTrial contactTrial() const;
 
   /// [s] From when the scene's horizon counts: 0, or, where a reset has let time run on, later by
@@ -205,9 +205,9 @@ class Simulation {
   /// swung or decayed faster than its method follows in one; 1 when none was.
   int maxSubsteps() const;
 
-  /// ln of how much the integrator has magnified, so far, what a body turns about its axis of least
-  /// inertia: the integral of ½ h (ω·L/I₁ − |ω|²) over time under semi_implicit_euler, 0 under the
-  /// others. Of a thin rod, rounding grows to a visible motion at some 30.
+  /// ln of the factor by which the integrator has magnified, so far, what a body turns about its
+  /// axis of least inertia; of all bodies the greatest: ∫ ½ h (ω·L/I₁ − |ω|²) dt under
+  /// semi_implicit_euler, 0 under the others. At some 30, rounding has become a visible motion.
   double magnification() const;
 
   /// Evaluations of all wrenches by integrators so far.

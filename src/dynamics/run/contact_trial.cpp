@@ -16,7 +16,7 @@ namespace {
 /// Steps and evaluations of a body for all trials of a scene: tenths of a second.
 constexpr double kMaxTrialWork = 5e5;
 
-/// Of the time up to the horizon: what is known of less is no reason to make every step dearer.
+/// Of the time up to the horizon: what is known of less is no reason to make every step cost more.
 constexpr double kLeastShare = 0.1;
 
 /// Up to the horizon, at least, at which two runs of contact alone are compared, however long the

@@ -175,12 +175,12 @@ double EventSearch::lowestShare() const {
 /// fast there. No time where the cubic does not show it.
 EventSearch::Crossing EventSearch::crossingOn(const CubicBetween& cubic, const MotionPiece& piece,
                                               double before, double after, double low) {
-  constexpr int kMostLooks = 6;
+  constexpr int kMaxLooks = 6;
   constexpr double kRoughly = 1e-4;  // of the bracket: no cubic is nearer
   const double width = after - before, start = before;
   double high = -1;
   Crossing crossing;
-  for (int look = 0; look < kMostLooks; ++look) {
+  for (int look = 0; look < kMaxLooks; ++look) {
     const double middle = before + (after - before) * low / (low - high);
     if (!(middle > before && middle < after)) break;
     cubic.at((middle - piece.start()) / (piece.end() - piece.start()), trial_);
@@ -208,7 +208,7 @@ double EventSearch::locate(const MotionPiece& piece, double before, double after
   Crossing crossing;
   if (cubic) crossing = crossingOn(*cubic, piece, before, after, low);
   double last = std::numeric_limits<double>::quiet_NaN(), lowest_last = 0;
-  constexpr int kMostSecants = 5;
+  constexpr int kMaxSecants = 5;
   int kept = 0;  // how often the same end stayed, and which
   for (int trial = 1; after - before > precision; ++trial) {
     const double width = after - before;
@@ -216,7 +216,7 @@ double EventSearch::locate(const MotionPiece& piece, double before, double after
     if (trial % 3 == 0) last_width = width;
     // off the ends, so that both of them move
     const double nudge = 0.5 * precision;
-    const bool by_secant = trial <= kMostSecants && crossing.slope < 0;
+    const bool by_secant = trial <= kMaxSecants && crossing.slope < 0;
     double middle =
         by_secant ? crossing.t + nudge : before + width * std::clamp(low / (low - high), 0.0, 1.0);
     if (by_secant && !(middle > before && middle < after)) middle = before + 0.5 * width;

@@ -62,7 +62,7 @@ void MethodPlanner::setContactBound(double bound) {
 
 void MethodPlanner::setTrial(const ContactTrial& trial) {
   regroups_ = trial.regroups;
-  tells_all_ = trial.is_made && trial.compares;
+  whole_run_tried_ = trial.is_made && trial.compares;
 }
 
 /// Whatever the bounds were when it was found.
@@ -71,7 +71,7 @@ MethodChoice MethodPlanner::bounded(MethodChoice choice) const {
   choice.bound_share = bounds_.bound_share;
   choice.contact_bound = bounds_.contact_bound;
   choice.contact_work = bounds_.contact_work;
-  choice.holds |= choice.by_estimates && tells_all_;
+  choice.holds |= choice.by_estimates && whole_run_tried_;
   if (choice.by_estimates) choice.substeps = std::max(choice.substeps, least_substeps_);
   return choice;
 }

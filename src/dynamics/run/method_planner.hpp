@@ -85,10 +85,10 @@ class MethodPlanner {
   const Method* method_;       // null: auto
   std::vector<bool> watched_;  // body by body: its motion in a medium may not be solved
   double tolerance_;
-  MethodChoice bounds_;     // for every choice
-  int least_substeps_ = 1;  // of a step that is divided by error estimates
-  bool regroups_ = false;   // see ContactTrial
-  bool tells_all_ = false;  // whether a trial of the whole run has shown what estimates hold
+  MethodChoice bounds_;           // for every choice
+  int least_substeps_ = 1;        // of a step that is divided by error estimates
+  bool regroups_ = false;         // see ContactTrial
+  bool whole_run_tried_ = false;  // whether a trial of the whole run has shown what estimates hold
   Trials trials_;
 };
 

@@ -62,7 +62,7 @@ Truth truthOf(const TrialRuns& trial) {
 
 /// As a share of the tolerance: half of it may be found against the truth, a fourth be noise of the
 /// run, and a fourth that of the truth.
-constexpr double kMargin = 0.5, kMostNoise = 0.25;
+constexpr double kMargin = 0.5, kMaxNoise = 0.25;
 
 /// A number of substeps that was tried.
 struct Tried {
@@ -192,7 +192,7 @@ MethodChoice chooseMethod(const World& world, const LawTable& laws, const Couple
                           const TrialStart& start, double max_body_steps) {
   const TrialRuns trial(world, laws, group, start, max_body_steps);
   const Truth truth = truthOf(trial);
-  if (truth.noise > kMostNoise) return lostInRounding(truth.noise);
+  if (truth.noise > kMaxNoise) return lostInRounding(truth.noise);
   Search search(trial, truth);
   if (truth.agrees)
     // from the highest order down: what holds a tight tolerance bounds the cost of the others early

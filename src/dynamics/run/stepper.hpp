@@ -31,8 +31,8 @@ class Stepper {
   /// because something turned, swung or decayed too fast; 1 when none was.
   int maxSubsteps() const { return max_substeps_; }
 
-  /// ln of how much the integrator has magnified, so far, what a body turns about its axis of least
-  /// inertia; see Claim kFeedsLeastAxis.
+  /// ln of the factor by which the integrator has magnified, so far, what a body turns about its
+  /// axis of least inertia; see Claim kFeedsLeastAxis.
   double magnification() const { return magnification_; }
 
   /// Evaluations of all wrenches so far, those included by which events in contact were located.

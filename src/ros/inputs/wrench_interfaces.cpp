@@ -123,7 +123,7 @@ void WrenchInterfaces::requireRoom(const std::vector<WrenchInput>& inputs, bool 
       continue;
     throw std::invalid_argument((is_list ? "wrenches[" + std::to_string(k) + "]: " : "") +
                                 "body '" + simulation.world().bodies[wrench.body].name +
-                                "' must have less than " + std::to_string(kMaxWrenches) +
+                                "' must have fewer than " + std::to_string(kMaxWrenches) +
                                 " wrenches that act or are to come");
   }
 }

@@ -48,7 +48,7 @@ bool SimulationNode::maySleepOverSteps() {
 /// that nobody watches wakes up a hundred times a second, not a thousand times. No more steps are
 /// slept over than are taken within half a step, so that the one after them is not late.
 void SimulationNode::sleepOverSteps() {
-  constexpr int kMostSteps = 1 << 10;
+  constexpr int kMaxSlept = 1 << 10;
   const double h = simulation_.world().solver.time_step;
   const double t_end = std::min(outputs_.nextInstant(), nextTime() + slept_over_ * h);
   queues_.queue.waitForCallback(time_.untilDue(t_end));
@@ -56,7 +56,7 @@ void SimulationNode::sleepOverSteps() {
   while (nextTime() < t_end && time_.wasDue(nextTime(), woken) && ros::ok()) advance();
   const std::chrono::duration<double> taken = SteadyClock::now() - woken;
   const double share = taken.count() * time_.realTimeFactor() / h;  // of a step
-  if (share < 0.25) slept_over_ = std::min(2 * slept_over_, kMostSteps);
+  if (share < 0.25) slept_over_ = std::min(2 * slept_over_, kMaxSlept);
   if (share > 0.5) slept_over_ = std::max(slept_over_ / 2, 1);
 }
 

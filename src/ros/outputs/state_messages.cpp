@@ -1,7 +1,5 @@
 #include "ros/outputs/state_messages.hpp"
 
-#include <numeric>
-
 namespace rigid_body_sim {
 
 BodyStates emptyBodyStates(const World& world, const std::vector<std::size_t>& bodies,
@@ -24,15 +22,6 @@ void setBodyStates(const World& world, const std::vector<std::size_t>& bodies,
     message.pose[i] = toPose(toBodyFrameMotion(body, state));
     message.twist[i] = toTwistInBodyAxes(body, state);
   }
-}
-
-BodyStates toBodyStates(const World& world, const State& state, const std::string& world_frame,
-                        const ros::Time& stamp) {
-  std::vector<std::size_t> all(world.bodies.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  BodyStates message = emptyBodyStates(world, all, world_frame);
-  setBodyStates(world, all, state.bodies, stamp, message);
-  return message;
 }
 
 geometry_msgs::WrenchStamped toWrenchStamped(const Body& body, const BodyState& state,

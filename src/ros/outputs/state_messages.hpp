@@ -25,10 +25,6 @@ void setBodyStates(const World& world, const std::vector<std::size_t>& bodies,
                    const std::vector<BodyState>& states, const ros::Time& stamp,
                    BodyStates& message);
 
-/// Pose and twist of every body, fixed ones at rest among them, as in odometry.
-BodyStates toBodyStates(const World& world, const State& state, const std::string& world_frame,
-                        const ros::Time& stamp);
-
 /// A wrench on a body in body axes, about the centre of mass:
 ///   f_B = R_BP R_WPᵀ f_W,   τ_B = R_BP (R_WPᵀ tau_W + tau_P).
 geometry_msgs::WrenchStamped toWrenchStamped(const Body& body, const BodyState& state,

@@ -85,7 +85,7 @@ struct Conserved {
 };
 
 /// Whether all that a line would say of the change from a to b is a number.
-bool isTold(const Conserved& a, const Conserved& b, const Vector3d& weight_impulse) {
+bool areNumbers(const Conserved& a, const Conserved& b, const Vector3d& weight_impulse) {
   return a.isFinite() && b.isFinite() && std::isfinite(b.energy - a.energy) &&
          (b.momentum - a.momentum - weight_impulse).allFinite() &&
          (b.angular_momentum - a.angular_momentum).allFinite();
@@ -94,7 +94,7 @@ bool isTold(const Conserved& a, const Conserved& b, const Vector3d& weight_impul
 const char* const kTooGreat = "energy and momenta are too great for numbers\n";
 
 std::string conservedText(const Conserved& a, const Conserved& b, const Vector3d& weight_impulse) {
-  if (!isTold(a, b, weight_impulse))
+  if (!areNumbers(a, b, weight_impulse))
     return std::string("  whether conserved is not known: ") + kTooGreat;
   const double energy_scale = std::max(a.kinetic, b.kinetic);
   const double p_scale = std::max(stableNorm(a.momentum), stableNorm(b.momentum));
@@ -109,7 +109,7 @@ std::string conservedText(const Conserved& a, const Conserved& b, const Vector3d
 
 std::string changedText(const Causes& causes, const Conserved& a, const Conserved& b,
                         const Vector3d& weight_impulse) {
-  if (!isTold(a, b, weight_impulse)) return "  changed by " + joined(causes) + ": " + kTooGreat;
+  if (!areNumbers(a, b, weight_impulse)) return "  changed by " + joined(causes) + ": " + kTooGreat;
   return "  changed by " + joined(causes) +
          formatted(": energy %+.4g J, momentum ", b.energy - a.energy) +
          text(b.momentum - a.momentum - weight_impulse) + " N s, angular momentum " +

@@ -39,7 +39,7 @@ ErrorReport errorReport(const Simulation& run, double end) {
     report.doubt = "its error is unknown: a run at twice the step diverged";
   else if (!report.estimate && !(is_auto && holdsByTrial(trial, end)))
     report.doubt =
-        "its error is unknown: it has less than two steps, of which it is estimated; take "
+        "its error is unknown: it has fewer than two steps, of which it is estimated; take "
         "a shorter time_step";
   return report;
 }

@@ -58,8 +58,8 @@ bool isTableOfASweep(const std::string& path, const std::string& stem) {
 /// Throws for a file that a test on its first bytes does not take for one of a sweep.
 template <class IsOfASweep>
 void requireBegin(const std::string& path, const IsOfASweep& isOfASweep) {
-  constexpr std::size_t kMost = 1024;
-  const std::string begin = beginOf(path, kMost).value_or("");
+  constexpr std::size_t kMaxBytes = 1024;
+  const std::string begin = beginOf(path, kMaxBytes).value_or("");
   if (!begin.empty() && !isOfASweep(begin))
     throw std::runtime_error(
         path + ": is not of a sweep, and would be replaced; remove it, or name another --out");

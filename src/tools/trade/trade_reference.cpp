@@ -29,7 +29,7 @@ World withSolver(World world, const std::string& integrator, double time_step) {
 
 bool supports(const World& world, const State& initial, const std::string& integrator) {
   try {
-    const Simulation accepts(withSolver(world, integrator, world.solver.time_step), initial);
+    const Simulation made(withSolver(world, integrator, world.solver.time_step), initial);
     return true;
   } catch (const std::invalid_argument&) {
     return false;

@@ -32,7 +32,7 @@ TEST(DampedOscillator, FollowsItsClosedForm) {
   EXPECT_NEAR(bench.run("auto", t, 400).bodies[0].x_W.x(), x, 2e-9);
 }
 
-/// The integrators that take drag, and auto.
+/// The integrators that support drag, and auto.
 std::vector<std::string> integratorsWithDrag() {
   std::vector<std::string> names{"auto"};
   for (const Method& method : catalogue())
@@ -208,7 +208,7 @@ TEST(SpringPair, KeepsItsMomentum) {
   }
 }
 
-// Bodies that no law links are none the wiser.
+// To bodies that no law links it makes no difference.
 TEST(SpringPair, MovesTheSameBesideOthers) {
   const Bench alone = test::springPair(1);
   Bench among;

@@ -15,7 +15,7 @@ using test::CountedLaw;
 using test::principalBody;
 using test::tumbling;
 
-std::vector<std::string> integratorsThatTake(unsigned needs) {
+std::vector<std::string> integratorsThatSupport(unsigned needs) {
   std::vector<std::string> names{"auto"};
   for (const Method& method : catalogue())
     if (method.supports(needs)) names.push_back(method.name);
@@ -47,10 +47,10 @@ State slowedDown(const Bench& bench, const std::string& integrator) {
 }
 
 // c h/m = 300: the body stops after m v/c, within a step's way of its start.
-TEST(StiffDrag, StopsTheBodyUnderEveryIntegratorThatTakesIt) {
+TEST(StiffDrag, StopsTheBodyUnderEveryIntegratorThatSupportsIt) {
   constexpr double m = 2, c = 300 * m / kStep;
   const Vector3d v(3, -1, 2), w(1, 2, 3);
-  for (const std::string& integrator : integratorsThatTake(kDrag)) {
+  for (const std::string& integrator : integratorsThatSupport(kDrag)) {
     for (const Drag::Coefficients& drag : {Drag::Coefficients{c, 0, c}, {c, c, c}}) {
       Bench bench;
       bench.add(principalBody("body", m, {1, 2, 2.5}), tumbling(v, w));
@@ -67,7 +67,7 @@ TEST(StiffDrag, StopsTheBodyUnderEveryIntegratorThatTakesIt) {
 // Falling at m g/c or √(m g/c) from the second step on.
 TEST(StiffDrag, LetsTheBodySinkAtItsTerminalVelocity) {
   constexpr double m = 2, c = 300 * m / kStep, g = 9.81;
-  for (const std::string& integrator : integratorsThatTake(kDrag)) {
+  for (const std::string& integrator : integratorsThatSupport(kDrag)) {
     for (bool quadratic : {false, true}) {
       Bench bench;
       bench.world.g_W = {0, 0, -g};
@@ -95,11 +95,11 @@ Bench stiffSpring(double damping) {
 }
 
 // From a damping ratio of 0.07 to 7; it ends m g/k below the length of rest.
-TEST(StiffSpring, ComesToRestUnderEveryIntegratorThatTakesIt) {
+TEST(StiffSpring, ComesToRestUnderEveryIntegratorThatSupportsIt) {
   for (double damping : {2e2, 2e3, 2e4}) {
     const Bench bench = stiffSpring(damping);
     const double E_0 = mechanicalEnergy(bench.world, bench.initial);
-    for (const std::string& integrator : integratorsThatTake(kCoupling | kDamping)) {
+    for (const std::string& integrator : integratorsThatSupport(kCoupling | kDamping)) {
       Simulation sim = simulationOf(bench, integrator);
       for (int i = 0; i < 300; ++i) {
         sim.step();
@@ -113,11 +113,11 @@ TEST(StiffSpring, ComesToRestUnderEveryIntegratorThatTakesIt) {
 }
 
 // At 0.8 rad a step the update of first order swings in energy by ωh/2; it must not grow.
-TEST(StiffSpring, KeepsSwingingUnderEveryIntegratorThatTakesIt) {
+TEST(StiffSpring, KeepsSwingingUnderEveryIntegratorThatSupportsIt) {
   const Bench bench = stiffSpring(0);
   const double E_rest = -2 * 9.81;  // hanging still, but for the m g/k of its stretch
   const double E_0 = mechanicalEnergy(bench.world, bench.initial) - E_rest;
-  for (const std::string& integrator : integratorsThatTake(kCoupling)) {
+  for (const std::string& integrator : integratorsThatSupport(kCoupling)) {
     Simulation sim = simulationOf(bench, integrator);
     for (int i = 0; i < 300; ++i) sim.step();
     const double E = mechanicalEnergy(bench.world, sim.state()) - E_rest;
@@ -143,7 +143,7 @@ Bench chain(std::size_t balls, std::int64_t& count) {
   return bench;
 }
 
-// strang follows 0.8 rad a part; a rod in the gradient swings √3 times as fast as it orbits.
+// strang follows 0.8 rad a substep; a rod in the gradient swings √3 times as fast as it orbits.
 TEST(CentralGravity, DividesAStepThatIsLongBesideTheOrbit) {
   for (const double radius : {0.5, 2.0}) {
     for (const bool gradient : {false, true}) {

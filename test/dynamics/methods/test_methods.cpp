@@ -106,7 +106,7 @@ TEST_P(EveryMethod, EvaluatesWrenchesAsOftenAsItClaims) {
   EXPECT_EQ(workspace.evaluations - first, 10 * method.evaluations);
 }
 
-/// [s] A step that turns a body of about 2 rad/s by half of what the method follows in one part:
+/// [s] A step that turns a body of about 2 rad/s by half of what the method follows in one substep:
 /// what the method gets wrong is then well above rounding.
 double longStep(const Method& method) { return 0.5 * std::min(method.max_turn, 1.6) / 2; }
 

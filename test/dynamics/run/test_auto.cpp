@@ -124,14 +124,15 @@ TEST(Auto, HoldsItsToleranceWhereTheMotionQuickensAfterTheTrialHasEnded) {
             std::string::npos)
       << describeSolution(sim)[0];
   while (sim.steps() < 100) sim.step();
-  EXPECT_FALSE(sim.plans()[0].by_estimates);  // which is dearer
+  EXPECT_FALSE(sim.plans()[0].by_estimates);  // which would cost more
   while (sim.steps() < 100000) sim.step();
   EXPECT_TRUE(sim.plans()[0].by_estimates);
   // by the closed form, as an independent program evaluates it, to the digits that are given
   EXPECT_LT((sim.body(0).x_W - Vector3d(-1.53270178, 0.10311649, 0)).norm(), 1e-8);
 }
 
-// dop853 divides a step that is long beside the orbit by itself; two runs in the same parts agree.
+// dop853 divides a step that is long beside the orbit by itself; two runs in the same substeps
+// agree.
 TEST(Auto, HoldsItsToleranceWhereAStepIsLongBesideTheOrbit) {
   constexpr double kTimeStep = 0.01, kRadius = 2;
   for (double turn_a_step : {0.3, 1.0, 2.0, 3.0, 10.0}) {

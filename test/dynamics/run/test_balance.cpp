@@ -46,8 +46,8 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, BalanceOfEveryMethod, testing::ValuesIn(cata
                          [](const auto& method) { return std::string(method.param.name); });
 
 // Energies are up to 400 J, momenta 40 N s, angular momenta 400 N m s: ten roundings of each.
-// Events lie inside steps, and the longest step spans many series. The row `taylor` begins anew at
-// every step, and its roundings add up as they come.
+// Events lie inside steps, and the longest step spans many series. The integrator `taylor` begins
+// anew at every step, and its roundings add up as they come.
 TEST(Balance, ClosesToRoundingWhereTheMotionIsSolved) {
   for (const Case& c : allCases()) {
     if (needsOf(c) != 0) continue;
@@ -185,15 +185,15 @@ TEST(Balance, ShowsTheDriftOfTheLecturesUpdate) {
   EXPECT_NEAR(gains[0] / gains[1], 2, 0.1);
 }
 
-/// A constant pull on body 0 whose potential is told wrongly by a factor.
-class MistoldPull final : public ForceLaw {
+/// A constant pull on body 0 whose potential is stated wrongly, by a factor.
+class MisstatedPull final : public ForceLaw {
  public:
-  explicit MistoldPull(double factor) : factor_(factor) {}
-  const char* name() const override { return "mistold pull"; }
+  explicit MisstatedPull(double factor) : factor_(factor) {}
+  const char* name() const override { return "misstated pull"; }
   std::vector<std::size_t> members() const override { return {0}; }
   std::shared_ptr<const ForceLaw> reindexed(
       const std::function<std::size_t(std::size_t)>&) const override {
-    return std::make_shared<MistoldPull>(factor_);
+    return std::make_shared<MisstatedPull>(factor_);
   }
   void addWrenches(const Bodies&, std::vector<Wrench>& wrenches) const override {
     wrenches[0].f_W.x() += kForce;
@@ -214,11 +214,11 @@ TEST(Balance, ShowsAWrongPotential) {
   for (double factor : {1.0, 1.01}) {
     Bench bench;
     bench.add(principalBody("box", 2, {1, 2, 2.5}), BodyFrameMotion());
-    bench.world.laws.push_back(std::make_shared<MistoldPull>(factor));
+    bench.world.laws.push_back(std::make_shared<MisstatedPull>(factor));
     Simulation sim = tracked(bench, "strang", 0.01);
     run(sim, 200);
-    const double path = 0.5 * MistoldPull::kForce / 2 * 4;
-    EXPECT_NEAR(sim.balance().energy, (1 - factor) * MistoldPull::kForce * path, 1e-13);
+    const double path = 0.5 * MisstatedPull::kForce / 2 * 4;
+    EXPECT_NEAR(sim.balance().energy, (1 - factor) * MisstatedPull::kForce * path, 1e-13);
   }
 }
 

@@ -14,12 +14,12 @@ TEST(Clock, RunsFromZeroAtTheClockRateBesideTheOdometry) {
   ros::NodeHandle nh;
   std::vector<ros::Time> clock;
   std::vector<ros::Time> odometry;
-  const boost::function<void(const rosgraph_msgs::Clock&)> hear_clock =
+  const boost::function<void(const rosgraph_msgs::Clock&)> receive_clock =
       [&](const rosgraph_msgs::Clock& message) { clock.push_back(message.clock); };
-  const boost::function<void(const nav_msgs::Odometry&)> hear_odometry =
+  const boost::function<void(const nav_msgs::Odometry&)> receive_odometry =
       [&](const nav_msgs::Odometry& message) { odometry.push_back(message.header.stamp); };
-  const ros::Subscriber a = nh.subscribe<rosgraph_msgs::Clock>("/clock", 100000, hear_clock);
-  const ros::Subscriber b = nh.subscribe<nav_msgs::Odometry>("box/odom", 100000, hear_odometry);
+  const ros::Subscriber a = nh.subscribe<rosgraph_msgs::Clock>("/clock", 100000, receive_clock);
+  const ros::Subscriber b = nh.subscribe<nav_msgs::Odometry>("box/odom", 100000, receive_odometry);
   ASSERT_TRUE(NodeDriver::waitFor([&] { return clock.size() > 100 && odometry.size() > 100; }));
   // an hour of wall time since 1970 it is not
   EXPECT_LT(clock.front(), ros::Time(3600));

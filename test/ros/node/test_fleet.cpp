@@ -145,13 +145,13 @@ TEST_F(Fleet, FollowerStartsOverWithTheClock) {
 
 TEST_F(Fleet, FollowerWithoutAStartTimeBeginsWhereItReceivesTheClock) {
   std::vector<Input> inputs;
-  const boost::function<void(const Input&)> hear_input = [&](const Input& m) {
+  const boost::function<void(const Input&)> receive_input = [&](const Input& m) {
     inputs.push_back(m);
   };
   std::vector<nav_msgs::Odometry> received;
   const boost::function<void(const nav_msgs::Odometry&)> receive =
       [&](const nav_msgs::Odometry& m) { received.push_back(m); };
-  const ros::Subscriber a = nh.subscribe<Input>("/late/rigid_body_node/inputs", 100, hear_input);
+  const ros::Subscriber a = nh.subscribe<Input>("/late/rigid_body_node/inputs", 100, receive_input);
   const ros::Subscriber b = nh.subscribe<nav_msgs::Odometry>("/late/rotor/odom", 100000, receive);
   ApplyWrench::Request nothing;
   nothing.wrench.header.frame_id = nothing.wrench.body = "rotor";

@@ -20,19 +20,18 @@ using diagnostic_msgs::DiagnosticStatus;
 class MonitorTopics : public NodeBesideCore {
  protected:
   MonitorTopics() {
-    const boost::function<void(const SimStatus&)> hear_status = [this](const SimStatus& message) {
-      status = message;
-    };
-    const boost::function<void(const diagnostic_msgs::DiagnosticArray&)> hear_diagnostics =
+    const boost::function<void(const SimStatus&)> receive_status =
+        [this](const SimStatus& message) { status = message; };
+    const boost::function<void(const diagnostic_msgs::DiagnosticArray&)> receive_diagnostics =
         [this](const diagnostic_msgs::DiagnosticArray& message) {
           for (const DiagnosticStatus& s : message.status) {
             diagnostics[s.name] = s;
             ++reports[s.name];
           }
         };
-    subscribers.push_back(nh.subscribe<SimStatus>("rigid_body_node/status", 100, hear_status));
+    subscribers.push_back(nh.subscribe<SimStatus>("rigid_body_node/status", 100, receive_status));
     subscribers.push_back(
-        nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, hear_diagnostics));
+        nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 100, receive_diagnostics));
   }
 
   bool waitForLevel(const std::string& node, unsigned char level) {

@@ -126,8 +126,56 @@ class Replay : public ::testing::Test {
     return message;
   }
 
+  /// Messages on both wrench topics, arriving whenever they do, and every service between.
+  void changeWhileItRuns() {
+    box = nh.advertise<geometry_msgs::WrenchStamped>("/box/wrench", 1000);
+    any = nh.advertise<AppliedWrench>(kNode + "wrench", 1000);
+    ASSERT_TRUE(NodeDriver::waitFor(
+        [&] { return box.getNumSubscribers() > 0 && any.getNumSubscribers() > 0; }));
+    ApplyWrench::Request first;
+    first.wrench = general("box", 1);
+    EXPECT_TRUE(callNode<ApplyWrench>("apply_wrench", first).success);
+    callNode<std_srvs::SetBool>("pause", flag(false));
+    for (int i = 0; i < 40; ++i) {
+      for (const char* frame : {"world", "box", "box/tip"}) box.publish(everyday(frame, i));
+      any.publish(general(i % 2 == 0 ? "world" : "box/tip", i));
+      const std::size_t received = states.size();
+      ASSERT_TRUE(NodeDriver::waitFor([&] { return states.size() > received; }));
+      if (i == 20) {
+        SetState::Request set;
+        set.body = set.frame = "canary";
+        set.pose.orientation.w = 1;
+        set.twist.angular.z = 1.0 / 3;
+        EXPECT_TRUE(callNode<SetState>("set_state", set).success);
+      }
+      if (i == 30) {
+        ClearWrenches::Request clear;
+        clear.body = "box";
+        EXPECT_TRUE(callNode<ClearWrenches>("clear_wrenches", clear).success);
+      }
+    }
+    callNode<std_srvs::SetBool>("pause", flag(true));
+  }
+
+  /// Repeats by `simulate` what was recorded, to an end [s]; returns the path of its bag.
+  std::string repeatedTo(double end) const {
+    const std::string recorded = ::testing::TempDir() + "replay_recorded.bag";
+    const std::string repeated = ::testing::TempDir() + "replay_repeated.bag";
+    {
+      rosbag::Bag bag(recorded, rosbag::bagmode::Write);
+      for (const Input& input : inputs)
+        bag.write(kNode + "inputs", std::max(input.header.stamp, ros::TIME_MIN), input);
+    }
+    const std::string command =
+        std::string(RIGID_BODY_SIM_SIMULATE) + " " RIGID_BODY_SIM_TEST_SCENE " --wrench-bag " +
+        recorded + " --bag " + repeated + " --duration " + std::to_string(end) + " >/dev/null";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << command;
+    return repeated;
+  }
+
   ros::NodeHandle nh;
   std::vector<ros::Subscriber> subscribers;
+  ros::Publisher box, any;  // of wrenches
   std::vector<Input> inputs;
   using Key = std::pair<std::string, ros::Time>;
   std::map<ros::Time, BodyStates> states;
@@ -139,65 +187,25 @@ class Replay : public ::testing::Test {
 
 TEST_F(Replay, OfARecordedBagGivesTheSameBytes) {
   connect();
-  ros::Publisher box = nh.advertise<geometry_msgs::WrenchStamped>("/box/wrench", 1000);
-  ros::Publisher any = nh.advertise<AppliedWrench>(kNode + "wrench", 1000);
-  ASSERT_TRUE(NodeDriver::waitFor(
-      [&] { return box.getNumSubscribers() > 0 && any.getNumSubscribers() > 0; }));
-  ApplyWrench::Request first;
-  first.wrench = general("box", 1);
-  EXPECT_TRUE(callNode<ApplyWrench>("apply_wrench", first).success);
-
-  // messages on both wrench topics, arriving whenever they do, and every service between
-  callNode<std_srvs::SetBool>("pause", flag(false));
-  for (int i = 0; i < 40; ++i) {
-    for (const char* frame : {"world", "box", "box/tip"}) box.publish(everyday(frame, i));
-    any.publish(general(i % 2 == 0 ? "world" : "box/tip", i));
-    const std::size_t received = states.size();
-    ASSERT_TRUE(NodeDriver::waitFor([&] { return states.size() > received; }));
-    if (i == 20) {
-      SetState::Request set;
-      set.body = set.frame = "canary";
-      set.pose.orientation.w = 1;
-      set.twist.angular.z = 1.0 / 3;
-      EXPECT_TRUE(callNode<SetState>("set_state", set).success);
-    }
-    if (i == 30) {
-      ClearWrenches::Request clear;
-      clear.body = "box";
-      EXPECT_TRUE(callNode<ClearWrenches>("clear_wrenches", clear).success);
-    }
-  }
-  callNode<std_srvs::SetBool>("pause", flag(true));
+  changeWhileItRuns();
   const ros::Time end = callNode<Step>("step", steps(50)).stamp;
   ASSERT_TRUE(NodeDriver::waitFor([&] { return isComplete(end); }));
   EXPECT_GT(inputs.size(), 100U);
 
-  const std::string recorded = ::testing::TempDir() + "replay_recorded.bag";
-  const std::string repeated = ::testing::TempDir() + "replay_repeated.bag";
-  {
-    rosbag::Bag bag(recorded, rosbag::bagmode::Write);
-    for (const Input& input : inputs)
-      bag.write(kNode + "inputs", std::max(input.header.stamp, ros::TIME_MIN), input);
-  }
-  const std::string command = std::string(RIGID_BODY_SIM_SIMULATE) +
-                              " " RIGID_BODY_SIM_TEST_SCENE " --wrench-bag " + recorded +
-                              " --bag " + repeated + " --duration " + std::to_string(end.toSec()) +
-                              " >/dev/null";
-  ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << command;
+  const rosbag::Bag bag(repeatedTo(end.toSec()), rosbag::bagmode::Read);
 
   // of the states at time zero and after the first step some or all messages came before connect()
   // had cleared what it received
   const auto complete = std::find_if(states.begin(), states.end(),
                                      [&](const auto& at) { return isComplete(at.first); });
   ASSERT_NE(complete, states.end());
-  const ros::Time first_heard = complete->first;
+  const ros::Time first = complete->first;
   std::size_t states_same = 0, odometry_same = 0, applied_same = 0;
   std::size_t states_repeated = 0, odometry_repeated = 0, applied_repeated = 0;
-  rosbag::Bag bag(repeated, rosbag::bagmode::Read);
   for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
     const std::string topic = message.getTopic();
     const std::string body = topic.substr(1, topic.find('/', 1) - 1);
-    if (message.getTime() < first_heard) continue;
+    if (message.getTime() < first) continue;
     if (const auto m = message.instantiate<BodyStates>()) {
       ++states_repeated;
       states_same += bytesOf(*m) == bytesOf(states[m->header.stamp]);

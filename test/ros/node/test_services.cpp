@@ -102,13 +102,13 @@ TEST_F(Services, MarkersAndFixedFramesReachALateSubscriber) {
   ros::NodeHandle nh;
   visualization_msgs::MarkerArray markers;
   tf2_msgs::TFMessage frames;
-  const boost::function<void(const visualization_msgs::MarkerArray&)> hear_markers =
+  const boost::function<void(const visualization_msgs::MarkerArray&)> receive_markers =
       [&](const visualization_msgs::MarkerArray& message) { markers = message; };
-  const boost::function<void(const tf2_msgs::TFMessage&)> hear_frames =
+  const boost::function<void(const tf2_msgs::TFMessage&)> receive_frames =
       [&](const tf2_msgs::TFMessage& message) { frames = message; };
   const ros::Subscriber a =
-      nh.subscribe<visualization_msgs::MarkerArray>("rigid_body_node/markers", 10, hear_markers);
-  const ros::Subscriber b = nh.subscribe<tf2_msgs::TFMessage>("/tf_static", 10, hear_frames);
+      nh.subscribe<visualization_msgs::MarkerArray>("rigid_body_node/markers", 10, receive_markers);
+  const ros::Subscriber b = nh.subscribe<tf2_msgs::TFMessage>("/tf_static", 10, receive_frames);
   ASSERT_TRUE(
       NodeDriver::waitFor([&] { return !markers.markers.empty() && !frames.transforms.empty(); }));
   EXPECT_EQ(markers.markers.size(), 3U);

@@ -15,14 +15,13 @@ namespace {
 class StateTopics : public NodeBesideCore {
  protected:
   StateTopics() {
-    const boost::function<void(const BodyStates&)> hear_states = [this](const BodyStates& message) {
-      states = message;
-    };
-    const boost::function<void(const geometry_msgs::WrenchStamped&)> hear_wrench =
+    const boost::function<void(const BodyStates&)> receive_states =
+        [this](const BodyStates& message) { states = message; };
+    const boost::function<void(const geometry_msgs::WrenchStamped&)> receive_wrench =
         [this](const geometry_msgs::WrenchStamped& message) { wrench = message; };
-    subscribers.push_back(nh.subscribe<BodyStates>("rigid_body_node/states", 1000, hear_states));
+    subscribers.push_back(nh.subscribe<BodyStates>("rigid_body_node/states", 1000, receive_states));
     subscribers.push_back(
-        nh.subscribe<geometry_msgs::WrenchStamped>("box/applied_wrench", 1000, hear_wrench));
+        nh.subscribe<geometry_msgs::WrenchStamped>("box/applied_wrench", 1000, receive_wrench));
     bool received = false;
     for (int i = 0; i < 1000 && !received; ++i) {
       stepBoth(1);
@@ -36,7 +35,7 @@ class StateTopics : public NodeBesideCore {
     return states.header.stamp == stamp && wrench.header.stamp == stamp;
   }
 
-  void stepAndHear(int steps) {
+  void stepAndReceive(int steps) {
     stepBoth(steps);
     ASSERT_TRUE(NodeDriver::waitFor([this] { return receivedAll(); }));
   }
@@ -56,7 +55,7 @@ class StateTopics : public NodeBesideCore {
 }  // namespace
 
 TEST_F(StateTopics, StatesTellEveryBodyOfOneInstantAsOdometryDoes) {
-  stepAndHear(20);
+  stepAndReceive(20);
   EXPECT_EQ(states.header.frame_id, "world");
   EXPECT_EQ(states.name, (std::vector<std::string>{"box", "canary", "post"}));
   ASSERT_EQ(states.pose.size(), 3U);
@@ -73,7 +72,7 @@ TEST_F(StateTopics, StatesTellEveryBodyOfOneInstantAsOdometryDoes) {
 }
 
 TEST_F(StateTopics, AppliedWrenchIsTheSumInBodyAxesAtTheCentreOfMass) {
-  stepAndHear(1);
+  stepAndReceive(1);
   expectWrench(Vector3d::Zero(), Vector3d::Zero());  // gravity is not among it
 
   ApplyWrench call;
@@ -88,13 +87,13 @@ TEST_F(StateTopics, AppliedWrenchIsTheSumInBodyAxesAtTheCentreOfMass) {
   reference.pushAtPoint("w", "box", F, T, point, {reference.time(), 0.105});
   reference.pushAtFrame("b", "box", F, T, X_BF, {reference.time(), 0.105});
 
-  stepAndHear(10);
+  stepAndReceive(10);
   EXPECT_EQ(wrench.header.frame_id, "box");
   const Quaterniond q_BW = driver.motion("box").attitude.conjugate();
   const Vector3d f_B = q_BW * F + F;
   expectWrench(f_B, q_BW * T + T + (point - com).cross(f_B));
 
-  stepAndHear(1);  // past their end
+  stepAndReceive(1);  // past their end
   expectWrench(Vector3d::Zero(), Vector3d::Zero());
 }
 

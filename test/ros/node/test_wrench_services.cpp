@@ -95,7 +95,7 @@ TEST_F(WrenchServices, ApplyRefusesWhatWouldFillTheMemory) {
   int taken = 0;
   while (taken <= 1000 && client.call(call) && call.response.success) ++taken;
   EXPECT_EQ(taken, 1000);
-  EXPECT_NE(call.response.message.find("less than 1000 wrenches"), std::string::npos)
+  EXPECT_NE(call.response.message.find("fewer than 1000 wrenches"), std::string::npos)
       << call.response.message;
   EXPECT_EQ(clear("canary", "").message, "ended: 1000");
   EXPECT_EQ(faultOf(lasting("box", "tug")), "");
@@ -127,7 +127,7 @@ TEST_F(WrenchServices, ApplyTakesAListWholeOrNotAtAll) {
   EXPECT_TRUE(call.response.success) << call.response.message;
   for (std::size_t i = 0; i < 1100; ++i) call.request.wrenches[i].id = std::to_string(i);
   ASSERT_TRUE(ros::service::call("rigid_body_node/apply_wrenches", call));
-  EXPECT_EQ(call.response.message.find("wrenches[999]: body 'box' must have less than"), 0U)
+  EXPECT_EQ(call.response.message.find("wrenches[999]: body 'box' must have fewer than"), 0U)
       << call.response.message;
 }
 

@@ -99,10 +99,11 @@ TEST_F(WrenchTopics, GeneralTopicReplacesTheSameIdAndAddsWithoutOne) {
 
 TEST_F(WrenchTopics, RefuseWhatBreaksARuleCountItAndChangeNothing) {
   SimStatus status;
-  const boost::function<void(const SimStatus&)> hear_status = [&](const SimStatus& message) {
+  const boost::function<void(const SimStatus&)> receive_status = [&](const SimStatus& message) {
     status = message;
   };
-  const ros::Subscriber counts = nh.subscribe<SimStatus>("rigid_body_node/status", 10, hear_status);
+  const ros::Subscriber counts =
+      nh.subscribe<SimStatus>("rigid_body_node/status", 10, receive_status);
   ros::Publisher everyday = nh.advertise<geometry_msgs::WrenchStamped>("box/wrench", 100);
   ASSERT_TRUE(NodeDriver::waitFor(
       [&] { return everyday.getNumSubscribers() > 0 && !status.header.frame_id.empty(); }));

@@ -137,7 +137,7 @@ TEST(SweepProgram, VariesATimeStepOnlyWhereItIsTaken) {
   // extremes are looked for at time steps
   EXPECT_EQ(run(test::kPushedBall, "record: {apex: {max: ball.pz}}").exit_code, 0);
   EXPECT_EQ(run("integrator: rk4\n" + test::kPushedBall, "").exit_code, 0);
-  // of the integrators that vary one takes it
+  // of the integrators that vary one goes by it
   EXPECT_EQ(run(test::kPushedBall, "  integrator: {grid: [auto, rk4]}\n").exit_code, 0);
 }
 

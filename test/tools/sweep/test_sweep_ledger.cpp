@@ -2,6 +2,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,66 @@ std::string noticesIn(const std::string& text) {
   while (std::getline(lines, line))
     if (line.find("notice") != std::string::npos) notices += line + "\n";
   return notices;
+}
+
+/// A sweep of nine runs that is done, and its tables as it wrote them.
+struct FinishedSweep : test::SweepFiles {
+  FinishedSweep()
+      : SweepFiles(test::kPushedBall, "runs: 9\nvary: {bodies.ball.mass: {uniform: [1, 2]}}") {
+    EXPECT_EQ(sweep("").exit_code, 0);
+    rows = test::fileText(table);
+    fan = test::fileText(out + "/fan.csv");
+  }
+
+  test::Outcome sweep(const std::string& options) const {
+    return test::sweep(command() + " " + options, kWithoutPlot);
+  }
+
+  std::string rows, fan;
+};
+
+/// Another row in place of that of run 3, and what is said of it behind the path of the table.
+struct RowEdit {
+  std::string row, message;
+  bool is_word = false;   ///< the varied value is a word, which the form of a row may allow
+  bool has_form = false;  ///< it is a row that a sweep might have written
+};
+
+std::vector<RowEdit> editsOf(const std::string& row) {
+  const std::size_t value = row.find(',') + 1, result = row.find(',', value) + 1;
+  const auto edited = [&row](std::size_t at, const std::string& text) {
+    return row.substr(0, at) + text + row.substr(row.find_first_of(',', at));
+  };
+  const auto fields = std::count(row.begin(), row.end(), ',') + 1;
+  const std::string anew = "'; somebody has changed the table: remove it, and make its runs anew\n";
+  const std::string until_status = row.substr(0, row.rfind(',') + 1);
+  return {
+      {edited(value, "abc"), ":5: field 2 must be a number, got 'abc" + anew, true},
+      {edited(result, ""), ":5: field 3 must be a number, got '" + anew},
+      {until_status + "refused: me", ":5: field 3 must be empty, as the run has no result, got '" +
+                                         row.substr(result, row.find(',', result) - result) + anew},
+      {until_status + "ok",
+       ":5: status must be done, refused: or diverged: with why, got 'ok" + anew},
+      {row + ",1", ":5: must have " + std::to_string(fields) + " fields, got '" +
+                       std::to_string(fields + 1) + anew},
+      {edited(value, "1.5"),
+       ": its rows are not those that were written; somebody has changed the "
+       "table: remove it, and make its runs anew\n",
+       false, true}};
+}
+
+/// Of a table that has lost its last row, and another of whose rows is not as it was.
+void expectDifferentRowsToBeNoticed(const test::Outcome& resumed, const std::string& table) {
+  EXPECT_EQ(resumed.exit_code, 0);
+  EXPECT_EQ(resumed.out.find("sweep: notice: " + table +
+                             ": has lost its last rows, of 9; of the 8 that are left only the form "
+                             "could be checked\n"),
+            0U)
+      << resumed.out;
+  EXPECT_NE(resumed.out.find("with the runs that were lost its rows are not those that were "
+                             "written: somebody has changed it, or "),
+            std::string::npos)
+      << resumed.out;
 }
 
 }  // namespace
@@ -111,92 +172,61 @@ TEST(SweepProgram, SaysOfTheWholeTableWhichRunsAreDoubtful) {
 }
 
 TEST(SweepProgram, ChecksEveryRowBeforeARun) {
-  const TemporaryDirectory files;
-  const std::string scene = files.written("scene.yaml", test::kPushedBall);
-  const std::string study =
-      files.written("study.yaml", "runs: 9\nvary: {bodies.ball.mass: {uniform: [1, 2]}}");
-  const std::string out = files.path("out"), table = out + "/runs.csv";
-  const auto swept = [&](const std::string& options) {
-    return test::sweep(scene + " " + study + " --out " + out + options, kWithoutPlot);
-  };
-  ASSERT_EQ(swept("").exit_code, 0);
-  const std::string rows = test::fileText(table), fan = test::fileText(out + "/fan.csv");
+  const FinishedSweep bench;
+  const std::string& rows = bench.rows;
   const std::size_t row = rows.find("\n3,") + 1, end = rows.find('\n', row);
-  const std::string line = rows.substr(row, end - row);
-  const std::size_t value = line.find(',') + 1, result = line.find(',', value) + 1;
-  const auto edited = [&](std::size_t at, const std::string& text) {
-    return line.substr(0, at) + text + line.substr(line.find_first_of(",", at));
-  };
-  const std::string anew = "'; somebody has changed the table: remove it, and make its runs anew\n";
-  const std::string last = line.substr(0, line.rfind(',') + 1);
-  const std::vector<std::pair<std::string, std::string>> edits = {
-      {edited(value, "abc"), ":5: field 2 must be a number, got 'abc" + anew},
-      {edited(result, ""), ":5: field 3 must be a number, got '" + anew},
-      {last + "refused: me", ":5: field 3 must be empty, as the run has no result, got '" +
-                                 line.substr(result, line.find(',', result) - result) + anew},
-      {last + "ok", ":5: status must be done, refused: or diverged: with why, got 'ok" + anew},
-      {line + ",1",
-       ":5: must have " + std::to_string(std::count(line.begin(), line.end(), ',') + 1) +
-           " fields, got '" + std::to_string(std::count(line.begin(), line.end(), ',') + 2) + anew},
-      {edited(value, "1.5"),
-       ": its rows are not those that were written; somebody has changed the "
-       "table: remove it, and make its runs anew\n"}};
-  for (const auto& [changed, message] : edits) {
-    const std::string text = rows.substr(0, row) + changed + rows.substr(end);
-    files.written("out/runs.csv", text);
-    const test::Outcome resumed = swept(" --resume");
+  for (const RowEdit& edit : editsOf(rows.substr(row, end - row))) {
+    const std::string text = rows.substr(0, row) + edit.row + rows.substr(end);
+    const std::string message = "sweep: " + bench.table + edit.message;
+    bench.files.written("out/runs.csv", text);
+    const test::Outcome resumed = bench.sweep("--resume");
     EXPECT_EQ(resumed.exit_code, 1);
-    EXPECT_EQ(resumed.out, "sweep: " + table + message);
-    EXPECT_EQ(test::fileText(table), text);
-    if (changed == edits.front().first) continue;  // a word, for all that merge knows
-    EXPECT_EQ(test::sweep("merge " + out, kWithoutPlot).out, "sweep: " + table + message);
-    EXPECT_FALSE(std::ifstream(table + ".part").good());
+    EXPECT_EQ(resumed.out, message);
+    EXPECT_EQ(test::fileText(bench.table), text);
+    if (edit.is_word) continue;  // as a table may hold it, for all that merge knows
+    EXPECT_EQ(test::sweep("merge " + bench.out, kWithoutPlot).out, message);
+    EXPECT_FALSE(std::ifstream(bench.table + ".part").good());
     // of a table that has lost its end the form can be checked
-    files.written("out/runs.csv", text.substr(0, text.rfind("\n8,") + 1));
-    const test::Outcome cut = swept(" --resume");
-    if (changed == edits.back().first) {
-      EXPECT_EQ(cut.exit_code, 0);
-      EXPECT_NE(cut.out.find("with the runs that were lost its rows are not those that were "
-                             "written: somebody has changed it, or "),
-                std::string::npos)
-          << cut.out;
-      EXPECT_EQ(cut.out.find("sweep: notice: " + table +
-                             ": has lost its last rows, of 9; of the 8 that are left only the form "
-                             "could be checked\n"),
-                0U)
-          << cut.out;
-    } else {
-      EXPECT_EQ(cut.out, "sweep: " + table + message);
-    }
+    bench.files.written("out/runs.csv", text.substr(0, text.rfind("\n8,") + 1));
+    const test::Outcome cut = bench.sweep("--resume");
+    if (edit.has_form)
+      expectDifferentRowsToBeNoticed(cut, bench.table);
+    else
+      EXPECT_EQ(cut.out, message);
   }
-  // without a change nothing is said but that it has lost rows
-  files.written("out/runs.csv", rows);
-  ASSERT_EQ(swept("").exit_code, 0);
-  files.written("out/runs.csv", rows.substr(0, rows.find("\n7,") + 1));
-  const std::string made_whole = swept(" --resume").out;
+}
+
+TEST(SweepProgram, SaysNothingMoreOfLostRowsThatAreMadeAgainAlike) {
+  const FinishedSweep bench;
+  bench.files.written("out/runs.csv", bench.rows.substr(0, bench.rows.find("\n7,") + 1));
+  const std::string made_whole = bench.sweep("--resume").out;
   EXPECT_EQ(made_whole.find("notice"), made_whole.rfind("notice")) << made_whole;
-  EXPECT_EQ(test::fileText(table), rows);
+  EXPECT_EQ(test::fileText(bench.table), bench.rows);
+}
+
+TEST(SweepProgram, ChecksEveryRowOfAFanBeforeARun) {
+  const FinishedSweep bench;
+  const std::string& fan = bench.fan;
   // a result that another has
-  files.written("out/runs.csv", rows);
-  ASSERT_EQ(swept("").exit_code, 0);
   const std::size_t at = fan.find("\n3,") + 3;
   const std::string changed = fan.substr(0, at) + "7" + fan.substr(fan.find(',', at));
-  files.written("out/fan.csv", changed);
-  const std::string message = "sweep: " + out +
+  bench.files.written("out/fan.csv", changed);
+  const std::string message = "sweep: " + bench.out +
                               "/fan.csv: its rows are not those that were written; somebody has "
                               "changed the table: remove it, and --resume makes it again\n";
-  EXPECT_EQ(swept(" --resume").out, message);
-  EXPECT_EQ(test::sweep("merge " + out, kWithoutPlot).out, message);
-  EXPECT_EQ(test::fileText(out + "/fan.csv"), changed);
+  EXPECT_EQ(bench.sweep("--resume").out, message);
+  EXPECT_EQ(test::sweep("merge " + bench.out, kWithoutPlot).out, message);
+  EXPECT_EQ(test::fileText(bench.out + "/fan.csv"), changed);
   // its rows alone are made again
-  ASSERT_EQ(remove((out + "/fan.csv").c_str()), 0);
-  const test::Outcome made = swept(" --resume");
-  EXPECT_EQ(
-      made.out.find("sweep: notice: " + out + "/fan.csv: has lost rows, which are made again"), 0U)
+  ASSERT_EQ(remove((bench.out + "/fan.csv").c_str()), 0);
+  const test::Outcome made = bench.sweep("--resume");
+  EXPECT_EQ(made.out.find("sweep: notice: " + bench.out +
+                          "/fan.csv: has lost rows, which are made again"),
+            0U)
       << made.out;
-  EXPECT_EQ(test::fileText(out + "/fan.csv"), fan);
-  EXPECT_EQ(test::fileText(table), rows);
-  EXPECT_EQ(swept(" --resume").out.find("notice"), std::string::npos);
+  EXPECT_EQ(test::fileText(bench.out + "/fan.csv"), fan);
+  EXPECT_EQ(test::fileText(bench.table), bench.rows);
+  EXPECT_EQ(bench.sweep("--resume").out.find("notice"), std::string::npos);
 }
 
 }  // namespace rigid_body_sim

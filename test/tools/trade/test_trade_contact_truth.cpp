@@ -38,14 +38,14 @@ std::vector<Setting> ladderOf(const World& world, const Reference& reference) {
 
 /// Returns whether `trade` could tell the error from its own doubt.
 bool expectTrue(double reported, double real, double doubt, const std::string& which) {
-  const bool is_told = reported > 2 * doubt && reported > kTwinRounding;
-  if (is_told) {
+  const bool is_resolved = reported > 2 * doubt && reported > kTwinRounding;
+  if (is_resolved) {
     EXPECT_LT(reported, 2 * real) << which;
     EXPECT_GT(reported, real / 2) << which;
   } else {
     EXPECT_LT(real, 3 * std::max(doubt, kTwinRounding)) << which;
   }
-  return is_told;
+  return is_resolved;
 }
 
 void expectTrueErrors(ContactTwin twin, double duration) {
