@@ -41,6 +41,10 @@ class Drag final : public ForceLaw {
   bool hasRate() const override { return coefficients_.quadratic != 0; }
   bool rateGrowsWithSpeed() const override { return coefficients_.quadratic != 0; }
 
+  bool hasKink() const override { return coefficients_.quadratic != 0; }
+  double distanceToKink(const Bodies& at, const std::vector<BodyMotion>& motions, double h,
+                        double negligible) const override;
+
   bool hasFlow() const override { return true; }
 
   /// p' = f − (linear + quadratic |p|/m) p/m,   L_P,i' = τ_P,i − angular L_P,i/I_i.

@@ -113,6 +113,16 @@ class ForceLaw {
   /// Whether rate() depends on the speeds.
   virtual bool rateGrowsWithSpeed() const { return false; }
 
+  /// Whether its wrenches may have a kink, or nearly one, at instants that are no events: an
+  /// integrator of high order errs across it by far more than its estimates say.
+  virtual bool hasKink() const { return false; }
+
+  /// [s] From the present to the nearest kink that a step of h may suffer from, the motion of its
+  /// bodies given index by index of `at`; the less it matters, the less close it is taken to be:
+  /// see distanceToDragKink. Steps of at most a third of it do not suffer.
+  virtual double distanceToKink(const Bodies& at, const std::vector<BodyMotion>& motions, double h,
+                                double negligible) const;
+
   /// [m] The greatest length over which the law subtracts positions, by which rounding errs in it.
   virtual double reach(const Bodies& /*at*/) const { return 0; }
 

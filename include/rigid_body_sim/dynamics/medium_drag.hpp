@@ -56,6 +56,11 @@ class MediumDrag final : public ForceLaw {
   bool hasRate() const override { return coefficients_.quadratic.any(); }
   bool rateGrowsWithSpeed() const override { return coefficients_.quadratic.any(); }
 
+  /// Of what is alike in every direction; those along the axes are events.
+  bool hasKink() const override { return coefficients_.quadratic.alike != 0; }
+  double distanceToKink(const Bodies& at, const std::vector<BodyMotion>& motions, double h,
+                        double negligible) const override;
+
   std::size_t stateCount() const override { return 6; }
   void setStart(double* own) const override;
   bool admits(const double* own) const override;

@@ -4,6 +4,7 @@
 #include <rigid_body_sim/dynamics/drag.hpp>
 
 #include "dynamics/laws/drag_flow.hpp"
+#include "dynamics/laws/drag_kink.hpp"
 #include "dynamics/laws/law_rules.hpp"
 #include "dynamics/laws/medium_load.hpp"
 #include "dynamics/rotation/free_motion.hpp"
@@ -114,6 +115,14 @@ double Drag::rate(const Bodies& at, const std::vector<double>& speeds) const {
   if (coefficients_.quadratic == 0) return 0;
   return (coefficients_.linear + 2 * coefficients_.quadratic * speeds[body_]) /
          at.bodies[body_]->mass;
+}
+
+double Drag::distanceToKink(const Bodies& at, const std::vector<BodyMotion>& motions, double h,
+                            double negligible) const {
+  const double mass = at.bodies[body_]->mass;
+  const BodyAcceleration& a = motions[body_].acceleration;
+  return distanceToDragKink(at.states[body_].p_W / mass, a.felt_W + a.g_W,
+                            coefficients_.quadratic / mass, h, negligible);
 }
 
 void Drag::addMedium(const Bodies& /*at*/, MediumLoad& load) const {

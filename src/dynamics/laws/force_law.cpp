@@ -15,6 +15,11 @@ double ForceLaw::longestStep(const Bodies& /*at*/, double /*precision*/) const {
   return std::numeric_limits<double>::infinity();
 }
 
+double ForceLaw::distanceToKink(const Bodies& /*at*/, const std::vector<BodyMotion>& /*motions*/,
+                                double /*h*/, double /*negligible*/) const {
+  return std::numeric_limits<double>::infinity();
+}
+
 double ForceLaw::touchRadius(std::size_t /*k*/) const {
   return std::numeric_limits<double>::infinity();
 }

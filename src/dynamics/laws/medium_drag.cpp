@@ -3,6 +3,7 @@
 
 #include <rigid_body_sim/dynamics/medium_drag.hpp>
 
+#include "dynamics/laws/drag_kink.hpp"
 #include "dynamics/laws/law_rules.hpp"
 #include "dynamics/laws/medium_load.hpp"
 #include "dynamics/laws/mobility.hpp"
@@ -107,6 +108,19 @@ double MediumDrag::rate(const Bodies& at, const std::vector<double>& speeds) con
                        angularVelocity(body.inv_I, at.states[body_].L_P).norm() * c.center_P.norm();
   return 2 * (c.quadratic.alike + c.quadratic.axes.maxCoeff()) * speed *
          mobilityAt(body, c.center_P);
+}
+
+double MediumDrag::distanceToKink(const Bodies& at, const std::vector<BodyMotion>& motions,
+                                  double h, double negligible) const {
+  const Coefficients& c = coefficients_;
+  const Body& body = *at.bodies[body_];
+  const BodyMotion& motion = motions[body_];
+  const BodyAcceleration& a = motion.acceleration;
+  const Vector3d w_P = angularVelocity(body.inv_I, motion.state.L_P);
+  const Vector3d change_P = rotateBack(motion.state.q_WP, Vector3d(a.felt_W + a.g_W)) +
+                            a.w_dot_P.cross(c.center_P) + w_P.cross(w_P.cross(c.center_P));
+  return distanceToDragKink(throughMedium(at), change_P,
+                            c.quadratic.alike * mobilityAt(body, c.center_P), h, negligible);
 }
 
 void MediumDrag::setStart(double* own) const {

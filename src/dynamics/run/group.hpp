@@ -41,6 +41,7 @@ class Group {
   double magnification() const { return stepper_ ? stepper_->magnification() : 0; }
   std::int64_t evaluations() const { return stepper_ ? stepper_->evaluations() : 0; }
   std::int64_t roughSteps() const { return stepper_ ? stepper_->roughSteps() : 0; }
+  std::int64_t kinkSubsteps() const { return stepper_ ? stepper_->kinkSubsteps() : 0; }
   double substepsNeeded(double h) const { return stepper_->substepsNeeded(system_, h, present_); }
 
   /// [s] First time at which the group must be advanced; −∞ if its motion is not solved yet.

@@ -5,10 +5,16 @@
 #include <limits>
 #include <sstream>
 
+#include "dynamics/methods/accelerations.hpp"
 #include "dynamics/rotation/free_motion.hpp"
 #include "dynamics/run/contact_bound.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+constexpr double kLeastError = 1e-14;  // some ten roundings of a step that turns by a radian
+
+}  // namespace
 
 MethodChoice errorControlled() {
   MethodChoice choice;
@@ -45,6 +51,7 @@ Stepper::Stepper(const MethodChoice& choice, const ErrorBound& tolerance, const 
     law.addStiffness(system.bodies, stiffness);
     rate_matters_ |= law.hasRate();
     speed_matters_ |= law.rateGrowsWithSpeed();
+    has_kink_ |= law.hasKink();
   };
   for (const auto& law : system.laws) consider(*law);
   for (const auto& law : system.flows) consider(*law);
@@ -124,12 +131,11 @@ double Stepper::rateBroughtAbout(const System& system, double h, const SystemSta
 /// error, it is what leaves as many substeps: an estimate of order 8 grows 2⁹-fold over a step
 /// twice as long.
 StepBound Stepper::stepBound(double h, double rate) const {
-  constexpr double kRounding = 1e-14;  // some ten roundings of a step that turns by a radian
   const double share = h / tolerance_.horizon, turned = std::max(1.0, rate * tolerance_.horizon);
   const double doubled = std::pow(choice_.max_turn_share, 8);
   const double allowed = tolerance_.attitude * share * choice_.bound_share * doubled;
   const StepBound follows;
-  return {std::clamp(allowed / turned, kRounding, follows.error),
+  return {std::clamp(allowed / turned, kLeastError, follows.error),
           std::clamp(allowed * share / choice_.max_turn_share, kLeastIdle, follows.idle)};
 }
 
@@ -162,7 +168,7 @@ template <class Meter>
 bool Stepper::advance(const System& system, double t, double h, SystemState& states, Meter& meter) {
   if (system.has_contact) return advanceInContact(system, t, h, states, meter);
   const int count = divide(system, h, states);
-  if (system.has_events) return takeSubsteps(system, t, h, count, states, meter);
+  if (system.has_events || heedsKinks()) return takeSubsteps(system, t, h, count, states, meter);
   for (int k = 0; k < count; ++k) {
     visit(system, t + k * (h / count), h / count, states, meter);
     takeStep(*choice_.method, system, h / count, states, workspace_);
@@ -170,18 +176,57 @@ bool Stepper::advance(const System& system, double t, double h, SystemState& sta
   return false;
 }
 
-/// Substeps that end at events. Returns whether there were any.
+/// [s] The longest substep, of those of length h, that does not come too near a kink of a law. A
+/// third of the distance is followed as well as what is smooth, and a pass takes some fifty
+/// substeps.
+double Stepper::beforeKink(const System& system, double h, const SystemState& states) const {
+  constexpr double kShare = 1.0 / 3, kOfTolerance = 1e-4, kRounding = 1e-15;
+  const double negligible = std::max(kOfTolerance * tolerance_.attitude, kRounding);
+  const std::vector<BodyMotion> motions = motionsOf(system, states);
+  double distance = std::numeric_limits<double>::infinity();
+  const auto consider = [&](const ForceLaw& law, const ForceLaw::Bodies& at) {
+    if (law.hasKink())
+      distance = std::min(distance, law.distanceToKink(at, motions, h, negligible));
+  };
+  for (const auto& law : system.laws) consider(*law, {system.bodies, states.bodies});
+  for (const auto& law : system.flows) consider(*law, {system.bodies, states.bodies});
+  forStatefulLaws(system, states, consider);
+  return kShare * distance;
+}
+
+/// [s] Of the next substep: what is left of the step in as few equal ones as are no longer than
+/// asked for, or less beside a kink. There the bound of the estimates is as much less, so that they
+/// add up to no more.
+double Stepper::lengthBesideKinks(const System& system, double left, double substep,
+                                  const StepBound& of_step, const SystemState& states) {
+  constexpr double kRounding = 1e-9;
+  const double even = left / std::max(1.0, std::ceil(left / substep - kRounding));
+  const double allowed = beforeKink(system, substep, states);
+  workspace_.step_bound = of_step;
+  if (!(allowed < even)) return even;
+  ++kink_substeps_;
+  if (choice_.by_estimates) {
+    const double share = allowed / substep;
+    workspace_.step_bound.error = std::max(share * of_step.error, kLeastError);
+    workspace_.step_bound.idle = std::max(share * of_step.idle, kLeastIdle);
+  }
+  return allowed;
+}
+
+/// Substeps that end at events, and are short beside kinks. Returns whether there were events.
 template <class Meter>
 bool Stepper::takeSubsteps(const System& system, double t, double h, int count, SystemState& states,
                            Meter& meter) {
   const double t_end = t + h, substep = h / count;
+  const StepBound of_step = workspace_.step_bound;
   bool switched = false;
   constexpr int kMaxEvents = 100000;
   for (int taken = 0; t < t_end; ++taken) {
     if (taken > count + kMaxEvents) throw StepTooLong("a step holds more than 100000 events");
-    // what is left by rounding goes into the last
     const double left = t_end - t;
-    const double length = left < 1.5 * substep && left > substep ? left : std::min(left, substep);
+    // what is left by rounding goes into the last
+    double length = left < 1.5 * substep && left > substep ? left : std::min(left, substep);
+    if (heedsKinks()) length = lengthBesideKinks(system, left, substep, of_step, states);
     const double done = takeSubstep(system, t, length, states, meter);
     if (done < length) {
       meter.addEnergy(switchModes(system, states, contact_events_));
@@ -197,6 +242,11 @@ bool Stepper::takeSubsteps(const System& system, double t, double h, int count, 
 template <class Meter>
 double Stepper::takeSubstep(const System& system, double t, double h, SystemState& states,
                             Meter& meter) {
+  if (!system.has_events) {
+    visit(system, t, h, states, meter);
+    takeStep(*choice_.method, system, h, states, workspace_);
+    return h;
+  }
   const SystemState start = states;
   takeStep(*choice_.method, system, h, states, workspace_);
   scratch_.step_bound = workspace_.step_bound;

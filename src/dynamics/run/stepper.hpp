@@ -41,6 +41,9 @@ class Stepper {
   /// Steps so far within which a force jumped, or nearly so: see Workspace::rough_steps.
   std::int64_t roughSteps() const { return workspace_.rough_steps; }
 
+  /// Substeps so far that were shorter than asked for, beside kinks of a law.
+  std::int64_t kinkSubsteps() const { return kink_substeps_; }
+
   /// To be called when an input changes the motion that was tried: falls back to dop853 controlled
   /// by its own error estimates.
   void fallBackToErrorControl();
@@ -94,6 +97,11 @@ class Stepper {
   [[noreturn]] void failTooFast(const System& system, double h, const SystemState& states,
                                 const std::string& limit) const;
   double rateBroughtAbout(const System& system, double h, const SystemState& states) const;
+  /// Integrators of order 2 err across a kink as they do elsewhere.
+  bool heedsKinks() const { return has_kink_ && choice_.method->order > 2; }
+  double beforeKink(const System& system, double h, const SystemState& states) const;
+  double lengthBesideKinks(const System& system, double left, double substep,
+                           const StepBound& of_step, const SystemState& states);
   StepBound stepBound(double h, double rate) const;
   double leastAxisGrowth(const System& system, const SystemState& states) const;
   int divide(const System& system, double h, const SystemState& states);
@@ -125,7 +133,9 @@ class Stepper {
   bool rate_matters_ = false;    // whether a law has a rate
   bool speed_matters_ = false;   // whether a law's rate grows with speed
   bool torque_matters_ = false;  // whether torques other than the laws' may spin a body up
+  bool has_kink_ = false;        // whether a law has one
   int max_substeps_ = 1;
+  std::int64_t kink_substeps_ = 0;
   double magnification_ = 0;
   double stopped_at_ = 0;
   bool at_rest_ = false;

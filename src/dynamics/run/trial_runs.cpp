@@ -74,6 +74,7 @@ std::optional<TrialRun> TrialRuns::runBySteps(const Method& method, int substeps
   }
   run.substeps = std::max(substeps, group.maxSubsteps());
   run.cost = method.cost * static_cast<double>(group.evaluations()) / (method.evaluations * steps_);
+  run.even_cost = run.cost - method.cost * static_cast<double>(group.kinkSubsteps()) / steps_;
   run.rough_steps = group.roughSteps();
   return run;
 }

@@ -15,6 +15,7 @@ struct TrialRun {
   Track track;
   int substeps;              ///< in which steps were taken: as many as asked for, or as it took
   double cost;               ///< of a step, counted in what was evaluated; Method::cost is its unit
+  double even_cost;          ///< of that, what the substeps asked for cost: not those beside kinks
   std::int64_t rough_steps;  ///< see Workspace
 };
 
