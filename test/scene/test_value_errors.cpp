@@ -84,6 +84,15 @@ TEST(SceneMass, MustFitIntoADouble) {
             "s.yaml:4: body 'a': mass must be a finite number of kg, got inf");
 }
 
+TEST(SceneMass, HasAnInverse) {
+  EXPECT_EQ(
+      massError("5.0e-309", kUnitInertia)
+          .rfind("s.yaml:5: body 'a': mass must be so large that 1/mass is a finite number, got ",
+                 0),
+      0U)
+      << massError("5.0e-309", kUnitInertia);
+}
+
 TEST(SceneLists, HaveTheirLength) {
   EXPECT_EQ(boxError("    position: [1, 2]\n"),
             kAtBox + "position must be a list of 3 numbers [m], got [1, 2]");
