@@ -141,6 +141,14 @@ TEST(SceneValues, KeepTheirOtherRules) {
             kAtBox + "points must be a mapping of names to frames, got [a]");
 }
 
+TEST(SceneWrench, IsWithinNumbersAsAWhole) {
+  EXPECT_EQ(wrenchError("duration: 1, force: [0, 0, 1.0e+160], point: [0, 1.0e+160, 0]"),
+            kWrench + "the torque of the force must be finite, got 1e+160 N at 1e+160 m");
+  EXPECT_EQ(wrenchError("duration: 1, torque: [1.7e+308, 1.7e+308, 0]"),
+            kWrench + "torque must have a finite magnitude");
+  EXPECT_EQ(wrenchError("duration: 1, force: [0, 0, 1.0e+160], point: [0, 1.0e+100, 0]"), "");
+}
+
 TEST(SceneWrench, KeepsItsRules) {
   EXPECT_EQ(wrenchError("duration: 0"), kWrench + "duration must be > 0 s, got 0");
   EXPECT_EQ(wrenchError("duration: -1"), kWrench + "duration must be > 0 s, got -1");
