@@ -67,7 +67,12 @@ int main(int argc, char** argv) {
         "  --help    this text");
     return 0;
   }
-  ros::init(argc, argv, "drone_pilot");
+  try {
+    ros::init(argc, argv, "drone_pilot");
+  } catch (const ros::Exception& error) {  // of an argument such as __name:=9bad
+    std::fprintf(stderr, "drone_pilot: %s\n", error.what());
+    return 2;
+  }
   DronePilot pilot;
   ros::spin();
 }

@@ -16,6 +16,8 @@ std::string listed(const Vector3d& v) {
 std::string massFault(double mass) {
   if (!std::isfinite(mass)) return "mass must be a finite number of kg, got " + shortest(mass);
   if (!(mass > 0)) return "mass must be > 0 kg, got " + shortest(mass);
+  if (!std::isfinite(1 / mass))
+    return "mass must be so large that 1/mass is a finite number, got " + shortest(mass) + " kg";
   return "";
 }
 
@@ -33,6 +35,9 @@ std::string entriesFault(const Matrix3d& I) {
 std::string momentsFault(const Vector3d& p) {
   if (!(p(0) > 1e-15 * p(2)))
     return "inertia must be positive definite, got principal moments [" + listed(p) + "] kg m^2";
+  if (!std::isfinite(1 / p(0)))
+    return "inertia must be so large that its inverse is finite, got principal moments [" +
+           listed(p) + "] kg m^2";
   if (p(0) + p(1) < p(2) * (1 - 1e-9))
     return "inertia must satisfy the triangle inequality I1 + I2 >= I3, got principal moments [" +
            listed(p) + "] kg m^2: " + shortest(p(0) + p(1)) + " < " + shortest(p(2));

@@ -82,6 +82,21 @@ TEST(MassPropertiesFault, NamesTheMass) {
   EXPECT_THAT(faultOfMass(kNan), HasSubstr("mass must be a finite number of kg, got"));
 }
 
+// 1/m overflows below 1/1.8e308 = 5.6e-309.
+TEST(MassPropertiesFault, NamesMassAndInertiaWithoutAFiniteInverse) {
+  const auto faultOfMass = [](double mass) {
+    return massPropertiesFault({mass, Vector3d::Zero(), Matrix3d::Identity()});
+  };
+  EXPECT_EQ(faultOfMass(5.6e-309), "");
+  EXPECT_EQ(faultOfMass(5.5e-309),
+            "mass must be so large that 1/mass is a finite number, got 5.5e-309 kg");
+  EXPECT_THAT(faultOfMass(5e-324), HasSubstr("mass must be so large"));
+  EXPECT_EQ(faultOf(5.6e-309, 5.6e-309, 5.6e-309), "");
+  EXPECT_EQ(faultOf(5.5e-309, 1e-308, 1e-308),
+            "inertia must be so large that its inverse is finite, got principal moments "
+            "[5.5e-309, 1e-308, 1e-308] kg m^2");
+}
+
 TEST(MassPropertiesFault, NamesTheCentreOfMass) {
   MassProperties body = withMoments(1, 1, 1);
   body.com_B.y() = kInf;

@@ -154,6 +154,11 @@ TEST(NodeOptions, TakeTopicsAsAListOrAsAText) {
 
 TEST(NodeOptions, RefuseALockstepThatLacksAPart) {
   EXPECT_EQ(refusalOf("lockstep", "box/command"),
+            "parameter ~lockstep: needs ~lockstep_period, > 0 s, which is missing, beside it");
+  XmlRpc::XmlRpcValue without_time = withScene();
+  without_time["lockstep"] = "box/command";
+  without_time["lockstep_period"] = 0;
+  EXPECT_EQ(refusalOf(without_time),
             "parameter ~lockstep_period: must be > 0 s where ~lockstep names topics, got '0'");
   EXPECT_EQ(refusalOf("lockstep_period", 0.1),
             "parameter ~lockstep_period: must be 0 unless ~lockstep names topics: nothing would be "

@@ -201,6 +201,10 @@ TEST_F(WrenchMessages, RefusesNumbersThatAreNotFinite) {
     message.point.x = bad;
     EXPECT_NE(fault(message).find("point must be finite"), std::string::npos);
   }
+  AppliedWrench far = applied("box");
+  far.wrench.force.x = 1e160;
+  far.point.y = 1e160;
+  EXPECT_NE(fault(far).find("the torque of the force must be finite"), std::string::npos);
 }
 
 TEST_F(WrenchMessages, RefusesWhatItDoesNotKnow) {

@@ -84,6 +84,15 @@ TEST(SceneMass, MustFitIntoADouble) {
             "s.yaml:4: body 'a': mass must be a finite number of kg, got inf");
 }
 
+TEST(SceneMass, HasAnInverse) {
+  EXPECT_EQ(
+      massError("5.0e-309", kUnitInertia)
+          .rfind("s.yaml:5: body 'a': mass must be so large that 1/mass is a finite number, got ",
+                 0),
+      0U)
+      << massError("5.0e-309", kUnitInertia);
+}
+
 TEST(SceneLists, HaveTheirLength) {
   EXPECT_EQ(boxError("    position: [1, 2]\n"),
             kAtBox + "position must be a list of 3 numbers [m], got [1, 2]");
@@ -130,6 +139,14 @@ TEST(SceneValues, KeepTheirOtherRules) {
             kAtBox + "visual.mesh must be a text, got \"\"");
   EXPECT_EQ(boxError("    points: [a]\n"),
             kAtBox + "points must be a mapping of names to frames, got [a]");
+}
+
+TEST(SceneWrench, IsWithinNumbersAsAWhole) {
+  EXPECT_EQ(wrenchError("duration: 1, force: [0, 0, 1.0e+160], point: [0, 1.0e+160, 0]"),
+            kWrench + "the torque of the force must be finite, got 1e+160 N at 1e+160 m");
+  EXPECT_EQ(wrenchError("duration: 1, torque: [1.7e+308, 1.7e+308, 0]"),
+            kWrench + "torque must have a finite magnitude");
+  EXPECT_EQ(wrenchError("duration: 1, force: [0, 0, 1.0e+160], point: [0, 1.0e+100, 0]"), "");
 }
 
 TEST(SceneWrench, KeepsItsRules) {

@@ -85,6 +85,32 @@ bodies:
       << text;
 }
 
+TEST(SlowRunNotice, NamesWhatALawMakesSwingOrSlowDownFastest) {
+  Simulation simulation = simulationOfScene(R"(
+time_step: 0.01
+integrator: rk4
+bodies: [{name: a, shape: {sphere: {radius: 0.1}}, mass: 2}]
+forces: [{type: spring, from: {world: [0, 0, 1]}, to: {body: a}, stiffness: 1, damping: 2000}]
+)");
+  SlowRunNotice notice(10, kAtOnce);
+  simulation.step();
+  const std::string text = notice.textIfDue(simulation);
+  EXPECT_NE(text.find("(fastest is what spring makes 'a' swing or slow down by, at 1e+03/s)"),
+            std::string::npos)
+      << text;
+}
+
+// Or a watch over single steps takes many of them for one.
+TEST(SlowRunNotice, LooksOnOnceItIsSaid) {
+  Simulation simulation = simulationOfScene(kSpinUp);
+  SlowRunNotice notice(1e4, kAtOnce);
+  simulation.step();
+  EXPECT_NE(notice.textIfDue(simulation), "");
+  constexpr int kMostAtOnce = 10;  // times as many as up to the look before
+  EXPECT_LE(notice.nextLook(), simulation.steps() + kMostAtOnce);
+  EXPECT_GT(notice.nextLook(), simulation.steps());
+}
+
 TEST(SlowRunNotice, ComesOnceAndNotBeforeItsTime) {
   Simulation simulation = simulationOfScene(kSpinUp);
   SlowRunNotice late(1e4, kNever), early(1e4, kAtOnce);

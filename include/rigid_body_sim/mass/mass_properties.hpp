@@ -35,7 +35,8 @@ MassProperties transformed(const Isometry3d& X_AB, const MassProperties& part_B)
 
 /// Says which rule a rigid body's mass properties break, with the figures; empty when none:
 /// finite; mass > 0; inertia symmetric (to 1e-12 of its greatest entry), positive definite and
-/// within the triangle inequality I₁ + I₂ ≥ I₃ of its principal moments.
+/// within the triangle inequality I₁ + I₂ ≥ I₃ of its principal moments; mass and moments so large,
+/// about 6e-309, that their inverses are finite.
 /// Rounding is allowed for: a flat plate (equality) passes by 1e-9 of the greatest moment, and
 /// positive definite means a least moment above 1e-15 of the greatest, below which nothing but
 /// rounding can be read from the matrix (particles on one line); needles of ratio 1e12 pass.

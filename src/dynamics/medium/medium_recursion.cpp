@@ -32,14 +32,13 @@ class MediumRecursion {
     drag_P_[n].setZero();
     if (translates_) {
       s_.u[n] = s_.v[n];
-      const Vector3d drag_W = -load.linear * s_.v[n] - load.quadratic * squared(n);
+      const Vector3d drag_W = -load.linear * s_.v[n] - squared(n);
       return e_.f_P.isZero(0) ? drag_W : Vector3d(drag_W + turnedBack(force_P_, n));
     }
     Vector3d u_P = s_.w[n].cross(load.center_P);
     for (std::size_t i = 0; i <= n; ++i) u_P += s_.axes[i] * s_.v[n - i];
     s_.u[n] = load.R_PD.transpose() * u_P;
-    const Vector3d along_D =
-        load.quadratic * squared(n) + load.quadratic_axes.cwiseProduct(squaredAlongAxes(n));
+    const Vector3d along_D = squared(n) + squaredAlongAxes(n);
     drag_P_[n] = -load.linear * u_P - load.linear_P * u_P - load.R_PD * along_D;
     force_P_[n] += drag_P_[n];
     return turnedBack(force_P_, n);
@@ -86,32 +85,35 @@ class MediumRecursion {
     return sum;
   }
 
-  /// The coefficient n of |u| u: with z = u · u, |u|_n = (z_n − Σ_{0<i<n} |u|_i |u|_{n−i})/(2
+  /// The coefficient n of c |u| u [N]: with z = u · u, |u|_n = (z_n − Σ_{0<i<n} |u|_i |u|_{n−i})/(2
   /// |u|_0).
   Vector3d squared(std::size_t n) {
     if (e_.load.quadratic == 0 || e_.drops_quadratic) return Vector3d::Zero();
+    scaled_u_[n] = s_.u[n] / e_.speed_unit;
     double z = 0;
-    for (std::size_t i = 0; i <= n; ++i) z += s_.u[i].dot(s_.u[n - i]);
+    for (std::size_t i = 0; i <= n; ++i) z += scaled_u_[i].dot(scaled_u_[n - i]);
     for (std::size_t i = 1; i < n; ++i) z -= speed_[i] * speed_[n - i];
     speed_[n] = n == 0 ? std::sqrt(z) : z / (2 * speed_[0]);
     Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 0; i <= n; ++i) sum += speed_[i] * s_.u[n - i];
-    return sum;
+    for (std::size_t i = 0; i <= n; ++i) sum += speed_[i] * scaled_u_[n - i];
+    return (e_.load.quadratic * e_.speed_unit) * (e_.speed_unit * sum);
   }
 
-  /// The coefficient n of |u_i| u_i.
+  /// The coefficient n of c_i |u_i| u_i [N].
   Vector3d squaredAlongAxes(std::size_t n) {
     if (e_.load.quadratic_axes.isZero(0)) return Vector3d::Zero();
     findSigns(n);
+    scaled_u_[n] = s_.u[n] / e_.speed_unit;
     Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 0; i <= n; ++i) sum += s_.u[i].cwiseProduct(s_.u[n - i]);
-    return s_.signs.cwiseProduct(sum);
+    for (std::size_t i = 0; i <= n; ++i) sum += scaled_u_[i].cwiseProduct(scaled_u_[n - i]);
+    sum = e_.speed_unit * s_.signs.cwiseProduct(sum);
+    return (e_.speed_unit * e_.load.quadratic_axes).cwiseProduct(sum);
   }
 
   /// By the first coefficient that counts: right after a change of sign the lowest is rounding, and
   /// likewise where the body moves along another axis.
   void findSigns(std::size_t n) {
-    const double speed = s_.u[0].norm();
+    const double speed = speedOf(s_.u[0]);
     for (int i = 0; i < 3; ++i) {
       const double u = s_.u[n][i];
       const bool starts_at_zero =
@@ -124,6 +126,7 @@ class MediumRecursion {
   MediumSeries& s_;
   bool translates_;
   MediumSeries::Of<Vector3d> force_P_, drag_P_, torque_P_, torque_W_;
+  MediumSeries::Of<Vector3d> scaled_u_;  // in speed_unit, as the next
   MediumSeries::Of<double> speed_;
 };
 

@@ -118,7 +118,7 @@ void MediumSegment::setUpPulls(const HeldWrench& wrench) {
 void MediumSegment::setUpRate() {
   const MediumLoad& load = equations_.load;
   const Vector3d u = series_.axes[0] * series_.v[0] + series_.w[0].cross(load.center_P);
-  const double speed = u.norm(), arm = load.center_P.norm(), inv_I = equations_.inv_I.maxCoeff();
+  const double speed = speedOf(u), arm = load.center_P.norm(), inv_I = equations_.inv_I.maxCoeff();
   const double mobility = equations_.inv_mass + arm * arm * inv_I, spin = series_.w[0].norm();
   const double quadratic = load.quadratic + load.quadratic_axes.maxCoeff();
   const double drag = load.linear + load.linear_P.cwiseAbs().maxCoeff() + quadratic * speed;
@@ -128,12 +128,13 @@ void MediumSegment::setUpRate() {
                               drag * speed * mobility + arm * (torque * inv_I + spin * spin);
   fastest_ = std::max({spin, std::sqrt((torque + arm * drag * speed) * inv_I), drag * mobility,
                        load.angular_P.cwiseAbs().maxCoeff() * inv_I,
-                       std::sqrt(quadratic * mobility * acceleration)});
+                       std::sqrt(quadratic * mobility) * std::sqrt(acceleration)});
   small_speed_ = speedBound(acceleration);
   equations_.drops_quadratic = load.quadratic > 0 && 2 * speed <= small_speed_;
   const bool has_kink = load.quadratic > 0 && !equations_.drops_quadratic;
   kink_ = has_kink ? 0.5 * speed / acceleration : kAnyLength;
   equations_.rate = unitOf(has_kink ? std::max(fastest_, acceleration / speed) : fastest_);
+  equations_.speed_unit = unitOf(std::max(speed, acceleration / equations_.rate));
 }
 
 /// The speed up to which quadratic drag is below 1e-17 of what accelerates the body.
@@ -199,7 +200,7 @@ double MediumSegment::signChange(int axis, double end, double none) const {
   double others = 0;
   for (std::size_t n = kDegree; --n > 0;) others = end * (std::abs(series_.u[n][axis]) + others);
   if (std::abs(series_.u[0][axis]) > others) return none;
-  const double least = -kZeroShare * series_.u[0].norm();
+  const double least = -kZeroShare * speedOf(series_.u[0]);
   constexpr int kSamples = 8;
   constexpr double kStart = 1e-11;  // what starts at zero has left it by then
   double before = kStart * end;

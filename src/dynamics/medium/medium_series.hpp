@@ -6,6 +6,7 @@
 
 #include "dynamics/laws/medium_load.hpp"
 #include "dynamics/taylor/taylor_equations.hpp"
+#include "dynamics/taylor/taylor_terms.hpp"
 
 namespace rigid_body_sim {
 
@@ -21,7 +22,9 @@ struct MediumEquations {
   Matrix3d moments = Matrix3d::Zero();  ///< [N m] Σ arm_P force_Wᵀ of body points
   Vector3d pull_W = Vector3d::Zero();   ///< [N] sum of the forces at points of the world
   double rate = 1;                      ///< [1/s] the unit of time is 1/rate
-  bool drops_quadratic = false;         ///< quadratic drag, alike in all directions, is left out
+  double speed_unit = 1;  ///< [m/s] power of two near the speed, in which a speed of 1e-160 m/s has
+                          ///< a square, too
+  bool drops_quadratic = false;  ///< quadratic drag, alike in all directions, is left out
 };
 
 /// Coefficients by degree in units of time 1/rate; those of degree 0 of w, q, v and axes are where
@@ -41,6 +44,12 @@ struct MediumSeries {
                           ///< is of translation, else the axes of the drag; one degree less
   Vector3d signs = Vector3d::Zero();  ///< of the components of u, right after the start
 };
+
+/// |u|: norm(), to the bit, wherever u has a square.
+inline double speedOf(const Vector3d& u) {
+  const double unit = unitOf(u.cwiseAbs().maxCoeff());
+  return unit * (u / unit).norm();
+}
 
 /// The coefficients from degree 1 on.
 void expandMedium(const MediumEquations& equations, MediumSeries& series);

@@ -9,6 +9,7 @@
 #include <rigid_body_sim/dynamics/drag.hpp>
 
 #include "dynamics/require.hpp"
+#include "dynamics/wrenches/wrench_size.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -161,6 +162,8 @@ void checkWrench(const World& world, const PointWrench& wrench) {
             "': axes and point must not be those of a body that is absent");
   require(wrench.force.allFinite() && wrench.torque.allFinite() && wrench.point.allFinite(),
           "wrench on body '", body, "': force, torque and point must be finite");
+  const std::string too_large = wrenchSizeFault(wrench);
+  require(too_large.empty(), "wrench on body '", body, "': ", too_large);
   const bool own = wrench.point_frame == kOwnBody || wrench.point_frame == wrench.body;
   require(!wrench.at_center || (own && wrench.point == world.bodies[wrench.body].com_P),
           "wrench on body '", body, "': at its centre of mass, point must be that of the body");

@@ -73,7 +73,7 @@ std::string describeInstability(const Simulation& simulation, const State& start
     if (apart > most) which = i;
     most = std::max(most, apart);
   }
-  return most > kHalfOfTheDigits ? magnifiedText(world.bodies[which], most) : "";
+  return most > kHalfOfTheDigits ? magnifiedText(world.bodies[which], most, SolvedBy::kSeries) : "";
 }
 
 }  // namespace rigid_body_sim

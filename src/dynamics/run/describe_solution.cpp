@@ -181,7 +181,7 @@ std::string magnificationOfSolved(const Simulation& simulation) {
     most = std::max(most, magnification);
   }
   if (!(most > std::pow(10, kDigitsLost))) return "";
-  return magnifiedText(world.bodies[which], most);
+  return magnifiedText(world.bodies[which], most, SolvedBy::kClosedForm);
 }
 
 /// A line for each body, or, of very many, for neighbours with the same line.
@@ -202,11 +202,14 @@ std::vector<std::string> linesOf(const World& world, const std::vector<std::stri
 
 }  // namespace
 
-std::string magnifiedText(const Body& body, double magnification) {
+std::string magnifiedText(const Body& body, double magnification, SolvedBy solved) {
+  const char* const holds = solved == SolvedBy::kClosedForm
+                                ? "it is exact for this start, but no"
+                                : "it is that of a start which differs in its last digits, and no";
   return "the motion of body '" + body.name +
          "' has magnified differences of its start, rounding among them, 10^" +
-         std::to_string(std::llround(std::log10(magnification))) +
-         " times by now: it is exact for this start, but no real body starts so exactly";
+         std::to_string(std::llround(std::log10(magnification))) + " times by now: " + holds +
+         " real body starts so exactly";
 }
 
 std::vector<std::string> describeSolution(const Simulation& simulation) {

@@ -1,8 +1,10 @@
 #include "ros/node/command_line.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include <ros/exceptions.h>
@@ -17,17 +19,41 @@ namespace {
 
 const std::string kAssigns = ":=";
 
-/// An address that roscpp would end the program for.
-std::string faultOfMaster(int argc, char** argv) {
-  const bool given = std::any_of(argv, argv + argc, [](const std::string& argument) {
-    return argument.rfind("__master:=", 0) == 0;
-  });
-  const char* const uri = std::getenv("ROS_MASTER_URI");
+/// What the last of the arguments NAME:=VALUE says, which counts for roscpp; none where there is
+/// none.
+std::optional<std::string> remapped(int argc, char** argv, const std::string& name) {
+  std::optional<std::string> value;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.rfind(name + kAssigns, 0) == 0)
+      value = argument.substr(name.size() + kAssigns.size());
+  }
+  return value;
+}
+
+bool isAddress(const std::string& uri) {
+  constexpr std::uint32_t kLastPort = 65535;
   std::string host;
   std::uint32_t port = 0;
-  if (given || (uri && ros::network::splitURI(uri, host, port))) return "";
-  return std::string("ROS_MASTER_URI must be like http://localhost:11311, got '") +
-         printable(uri ? uri : "") + "'";
+  return uri.rfind("http://", 0) == 0 && ros::network::splitURI(uri, host, port) && !host.empty() &&
+         port > 0 && port <= kLastPort;
+}
+
+/// An address that roscpp would end the program for, or wait at for ever.
+std::string faultOfMaster(int argc, char** argv) {
+  std::string source = "__master", uri = remapped(argc, argv, source).value_or("");
+  if (uri.empty()) {
+    source = "ROS_MASTER_URI";
+    const char* const set = std::getenv(source.c_str());
+    uri = set ? set : "";
+  }
+  if (isAddress(uri)) return "";
+  return source + " must be like http://localhost:11311, got '" + printable(uri) + "'";
+}
+
+/// A name that roscpp would take for that of the root, whose parameters are not the node's.
+std::string faultOfName(int argc, char** argv) {
+  return remapped(argc, argv, "__name") == "" ? "__name must be followed by a name, got ''" : "";
 }
 
 std::string wouldRename(const std::string& argument, const std::string& parameter,
@@ -40,8 +66,11 @@ std::string wouldRename(const std::string& argument, const std::string& paramete
 
 bool initRos(int& argc, char** argv, const std::string& name, unsigned init_options) {
   std::string fault = faultOfMaster(argc, argv);
+  if (fault.empty()) fault = faultOfName(argc, argv);
   try {
     if (fault.empty()) ros::init(argc, argv, name, init_options);
+  } catch (const ros::InvalidPortException& error) {
+    fault = oneLine(error.what());
   } catch (const ros::Exception& error) {
     fault = "a name given by := is not one of ROS: " + oneLine(error.what());
   }

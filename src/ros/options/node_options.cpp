@@ -207,6 +207,10 @@ NodeOptions toNodeOptions(const XmlRpcValue& parameters) {
       reader->second(name, value, options);
     }
   }
+  if (!options.lockstep.empty() && !parameters.hasMember("lockstep_period"))
+    throw ParameterError(
+        "parameter ~lockstep: needs ~lockstep_period, > 0 s, which is missing, beside it",
+        {"lockstep"});
   if (!options.lockstep.empty() && !(options.lockstep_period > 0))
     refuse("lockstep_period", options.lockstep_period, "> 0 s where ~lockstep names topics");
   if (options.lockstep.empty() && options.lockstep_period > 0)

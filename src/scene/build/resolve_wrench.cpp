@@ -4,6 +4,7 @@
 
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
 
+#include "dynamics/wrenches/wrench_size.hpp"
 #include "scene/build/body_names.hpp"
 #include "scene/message_text.hpp"
 
@@ -92,6 +93,7 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
   }
   // what is finite in its own frame may not be so in another
   resolved.fault = finiteFault(applied.point, applied.force, applied.torque);
+  if (fault.empty()) fault = wrenchSizeFault(applied);
   return resolved;
 }
 

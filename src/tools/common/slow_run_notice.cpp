@@ -1,6 +1,7 @@
 #include "tools/common/slow_run_notice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "math/shortest.hpp"
@@ -26,8 +27,13 @@ FastestBody fastestBody(const Simulation& simulation) {
   return fastest;
 }
 
-/// The body that drag slows down fastest.
-FastestBody mostDraggedBody(const Simulation& simulation) {
+/// What a law makes swing or slow down fastest: of all laws, or of those of a medium alone.
+struct FastestLaw {
+  std::string name, body;
+  double rate = -1;  // [1/s]
+};
+
+FastestLaw fastestLaw(const Simulation& simulation, bool of_medium_only) {
   const World& world = simulation.world();
   const State state = simulation.state();
   std::vector<const Body*> bodies;
@@ -37,16 +43,20 @@ FastestBody mostDraggedBody(const Simulation& simulation) {
     bodies.push_back(&body);
     speeds.push_back(moves(body) ? stableNorm(state.bodies[i].p_W) / body.mass : 0);
   }
-  FastestBody fastest;
+  FastestLaw fastest;
+  std::vector<Stiffness> stiffness(bodies.size());
   const double* own = state.laws.data();
   for (const auto& law : world.laws) {
-    if (law->isOfMedium()) {
-      const std::size_t body = law->members().front();
-      std::vector<Stiffness> stiffness(bodies.size());
+    if (law->isOfMedium() || !of_medium_only) {
       law->addStiffness(bodies, stiffness);
-      const double rate =
-          std::max(stiffness[body].decay, law->rate({bodies, state.bodies, own}, speeds));
-      if (rate > fastest.rate) fastest = {world.bodies[body].name, rate};
+      const double changes = law->rate({bodies, state.bodies, own}, speeds);
+      for (const std::size_t body : law->members()) {
+        const Stiffness of_body = stiffness[body];
+        stiffness[body] = Stiffness();  // for the next law
+        const double rate =
+            std::max({changes, of_body.decay, std::sqrt(of_body.frequency_squared)});
+        if (rate > fastest.rate) fastest = {law->name(), world.bodies[body].name, rate};
+      }
     }
     own += law->stateCount();
   }
@@ -59,26 +69,35 @@ bool isSolved(const Simulation& simulation) {
                      [](const MotionPlan& plan) { return plan.integrator.empty(); });
 }
 
+/// " ('wheel' turns fastest, at 20 rad/s)", or what a law brings about where that is faster.
+std::string whatIsDivided(const Simulation& simulation, const FastestBody& turning) {
+  const FastestLaw law = fastestLaw(simulation, false);
+  if (law.rate > turning.rate)
+    return formatted(" (fastest is what %s makes '%s' swing or slow down by, at %.3g/s)",
+                     law.name.c_str(), law.body.c_str(), law.rate);
+  if (!(turning.rate > 0)) return "";
+  return formatted(" ('%s' turns fastest, at %.3g rad/s)", turning.name.c_str(), turning.rate);
+}
+
 std::string reasonOf(const Simulation& simulation, double t_end) {
   const FastestBody fastest = fastestBody(simulation);
-  const std::string turns =
-      formatted("'%s' turns fastest, at %.3g rad/s", fastest.name.c_str(), fastest.rate);
   const double h = simulation.world().solver.time_step;
   if (simulation.maxSubsteps() > 1)
-    return formatted("steps are divided into up to %d substeps to follow the motion (%s)",
-                     simulation.maxSubsteps(), turns.c_str());
+    return formatted("steps are divided into up to %d substeps to follow the motion",
+                     simulation.maxSubsteps()) +
+           whatIsDivided(simulation, fastest);
   const bool solved = isSolved(simulation);
-  const FastestBody dragged = solved ? mostDraggedBody(simulation) : FastestBody();
+  const FastestLaw dragged = solved ? fastestLaw(simulation, true) : FastestLaw();
   if (dragged.rate > fastest.rate && dragged.rate * h > 1)
     return formatted(
         "the motion is solved by series that are as short as drag is strong (it slows '%s' down at "
         "%.3g/s); weaker drag makes that cheaper",
-        dragged.name.c_str(), dragged.rate);
+        dragged.body.c_str(), dragged.rate);
   if (solved && fastest.rate * h > 1)
     return formatted(
-        "the motion is solved radian by radian (%s); a stated tolerance makes that "
-        "cheaper",
-        turns.c_str());
+        "the motion is solved radian by radian ('%s' turns fastest, at %.3g rad/s); a stated "
+        "tolerance makes that cheaper",
+        fastest.name.c_str(), fastest.rate);
   constexpr double kMany = 1000;
   if (!(t_end > kMany * h))
     return "each of its steps of " + shortest(h) +
@@ -89,16 +108,24 @@ std::string reasonOf(const Simulation& simulation, double t_end) {
 
 }  // namespace
 
-std::string SlowRunNotice::textIfDue(const Simulation& simulation) {
+/// By the pace of late: a run may become slower and slower.
+void SlowRunNotice::planLook(std::int64_t steps, Clock::time_point now) {
   constexpr double kLookEvery = 0.1;  // [s]
-  if (is_said_ || simulation.steps() < next_look_) return "";
-  const double elapsed =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  const auto steps = static_cast<double>(simulation.steps());
-  next_look_ =
-      simulation.steps() + static_cast<std::int64_t>(std::clamp(
-                               steps * kLookEvery / std::max(elapsed, kLookEvery), 1.0, 1e6));
-  if (elapsed < patience_) return "";
+  const double since = std::chrono::duration<double>(now - last_look_).count();
+  const auto taken = static_cast<double>(steps - looked_at_);
+  constexpr double kMostGrowth = 10;
+  const double pace = std::min(kLookEvery / std::max(since, 1e-9), kMostGrowth);
+  next_look_ = steps + static_cast<std::int64_t>(std::clamp(taken * pace, 1.0, 1e6));
+  last_look_ = now;
+  looked_at_ = steps;
+}
+
+std::string SlowRunNotice::textIfDue(const Simulation& simulation) {
+  if (simulation.steps() < next_look_) return "";
+  const Clock::time_point now = Clock::now();
+  planLook(simulation.steps(), now);
+  const double elapsed = std::chrono::duration<double>(now - begin_).count();
+  if (is_said_ || elapsed < patience_) return "";
   is_said_ = true;
   return formatted("after %.0f s the run has come to %.4g of %.4g s: ", elapsed, simulation.time(),
                    t_end_) +

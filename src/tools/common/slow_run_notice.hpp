@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <limits>
 #include <string>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
@@ -17,19 +16,23 @@ class SlowRunNotice {
   /// t_end [s]: where the run ends. patience [s] of wall time.
   explicit SlowRunNotice(double t_end, double patience = 10) : t_end_(t_end), patience_(patience) {}
 
-  /// The step after which the text may be due: to be asked for it before is in vain.
-  std::int64_t nextLook() const { return is_said_ ? kNever : next_look_; }
+  /// The step after which the clock is to be read again, about a tenth of a second from now: to be
+  /// asked for the text before is in vain. Also once it is said, so that who steps up to there is
+  /// seen to go on.
+  std::int64_t nextLook() const { return next_look_; }
 
   /// To be called after every step, or after that one; reads the clock some ten times a second.
   /// Returns the text when it is time for it, else nothing.
   std::string textIfDue(const Simulation& simulation);
 
  private:
-  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-
   double t_end_;
   double patience_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  void planLook(std::int64_t steps, Clock::time_point now);
+
+  Clock::time_point begin_ = Clock::now(), last_look_ = begin_;
+  std::int64_t looked_at_ = 0;  // steps at the last look
   std::int64_t next_look_ = 0;  // step at which to read the clock
   bool is_said_ = false;
 };

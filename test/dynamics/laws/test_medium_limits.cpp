@@ -114,4 +114,31 @@ TEST(MediumSegment, IsNotCutShortByTheSignOfARounding) {
   }
 }
 
+/// Drag as strong as numbers allow, up to speeds without a square: v = v0/(1 + k v0 t), and the way
+/// ln(1 + k v0 t)/k, with k = c/m.
+TEST(MediumLaws, SlowABodyDownByQuadraticDragOfAnyStrength) {
+  constexpr double kSpeed = 1, kMass = 2;
+  for (const double c : {1e20, 1e120, 1e160, 1e200, 1e240, 1e300}) {
+    Drag::Coefficients alike;
+    alike.quadratic = c;
+    MediumDrag::Coefficients along;
+    along.quadratic.axes = {c, c, c};
+    const std::vector<std::shared_ptr<const ForceLaw>> laws{
+        std::make_shared<Drag>(0, alike), std::make_shared<MediumDrag>(0, along, Vector3d::Zero())};
+    for (const auto& drag : laws) {
+      test::Bench bench;
+      bench.add(test::principalBody("ball", kMass, {0.1, 0.15, 0.2}),
+                test::tumbling({kSpeed, 0, 0}, {0, 0, 0}));
+      bench.world.laws = {drag};
+      Simulation sim = bench.simulation("auto", 0.01);
+      sim.step(100);
+      const double gone = c / kMass * kSpeed * sim.time(), way = std::log1p(gone) * kMass / c;
+      const double speed = kSpeed / (1 + gone);
+      constexpr double kAtRest = 1e-250;  // [m/s] below that a body is at rest
+      EXPECT_NEAR(sim.body(0).x_W.x(), way, 1e-12 * way + kAtRest * sim.time()) << c;
+      EXPECT_NEAR(sim.body(0).p_W.x() / kMass, speed, 1e-12 * speed + kAtRest) << c;
+    }
+  }
+}
+
 }  // namespace rigid_body_sim

@@ -75,6 +75,25 @@ TEST(Arguments, AreWrenchesOfNumbers) {
     EXPECT_EQ(refusal([x](PointWrench& push) { push.torque.z() = x; }), finite);
     EXPECT_EQ(refusal([x](PointWrench& push) { push.point.x() = x; }), finite);
   }
+  EXPECT_EQ(refusal([](PointWrench& push) {
+              push.force = {0, 1.7e308, 1.7e308};
+            }),
+            on + "force must have a finite magnitude");
+  EXPECT_EQ(refusal([](PointWrench& push) {
+              push.torque = {1.7e308, 0, 1.7e308};
+            }),
+            on + "torque must have a finite magnitude");
+  EXPECT_EQ(refusal([](PointWrench& push) {
+              push.point = {1.7e308, 0, 1.7e308};
+            }),
+            on + "point must be at a finite distance");
+  const auto far = [](PointWrench& push) {  // parallel: inf - inf in a cross product
+    push.force = push.point = {0, 1e160, 1e160};
+    push.torque.x() = 3;
+  };
+  EXPECT_NE(refusal(far).find(on + "the torque of the force must be finite, got 1.41"),
+            std::string::npos)
+      << refusal(far);
   const std::string times = on + "start must be finite, end a number";
   for (double start : {nan, inf, -inf})
     EXPECT_EQ(refusal([start](PointWrench& push) { push.start = start; }), times);

@@ -133,8 +133,8 @@ TEST(MassChange, RefusesAForceAtTheCentreThatNamesAnotherPoint) {
 TEST(MassChange, IsRefusedWhereVelocitiesWouldNotBeFinite) {
   Simulation sim = stepped(twoFlyers().simulation("auto", kChangeStep), 3);
   const MassProperties known = test::propertiesOf(sim.world().bodies[0]);
-  for (const MassProperties& dust : {MassProperties{1e-310, known.com_B, known.I_Bcm},
-                                     MassProperties{2, known.com_B, 1e-310 * known.I_Bcm}})
+  for (const MassProperties& dust : {MassProperties{1e-308, known.com_B, known.I_Bcm},
+                                     MassProperties{2, known.com_B, 1e-308 * known.I_Bcm}})
     EXPECT_EQ(refusalOfMass(sim, 0, dust),
               "body 'ship': with the momenta that it keeps, velocities and energy would not be "
               "finite; another mass or inertia is needed");

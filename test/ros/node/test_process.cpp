@@ -126,6 +126,12 @@ TEST(Node, RefusesArgumentsThatRoscppWouldEndItFor) {
       {"scene_file:=/tmp/x.yaml", "a parameter begins with _: _scene_file:=/tmp/x.yaml"},
       {"publish_rate:=50", "a parameter begins with _: _publish_rate:=50"},
       {"__name:=9bad", "a name given by := is not one of ROS"},
+      {"__name:=", "__name must be followed by a name, got ''"},
+      {"__master:=garbage", "__master must be like http://localhost:11311, got 'garbage'"},
+      {"__master:=http://localhost", "__master must be like http://localhost:11311, got 'http:"},
+      {"__master:=http://:11311", "__master must be like http://localhost:11311, got 'http:"},
+      {"__master:=http://localhost:x", "__master must be like http://localhost:11311, got 'http:"},
+      {"__tcpros_server_port:=x", "__tcpros_server_port [x] was not specified as a number"},
       {"odom:=/a.b", "a name given by := is not one of ROS"}};
   for (const auto& [arguments, line] : cases) {
     const Outcome run =
@@ -133,6 +139,15 @@ TEST(Node, RefusesArgumentsThatRoscppWouldEndItFor) {
     EXPECT_EQ(run.exit_code, 2) << arguments;
     EXPECT_NE(run.out.find(line), std::string::npos) << arguments << ": " << run.out;
     EXPECT_TRUE(isOneLine(run.out)) << arguments << ": " << run.out;
+  }
+}
+
+TEST(Examples, RefuseANameThatIsNotOneOfRos) {
+  for (const char* program : {RIGID_BODY_SIM_DEMO_PUSHER, RIGID_BODY_SIM_DRONE_PILOT}) {
+    const Outcome run = test::runCommand(std::string(program) + " __name:=9bad 2>&1 >/dev/null");
+    EXPECT_EQ(run.exit_code, 2) << program;
+    EXPECT_NE(run.out.find("9bad"), std::string::npos) << run.out;
+    EXPECT_TRUE(isOneLine(run.out)) << run.out;
   }
 }
 
