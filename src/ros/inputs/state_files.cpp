@@ -37,16 +37,20 @@ bool answer(StateFile::Response& response, const Action& action) {
 }  // namespace
 
 StateFiles::StateFiles(ros::NodeHandle private_nh, const Simulation& simulation, Inputs& inputs,
-                       FaultOfTime fault_of_time)
+                       FaultOfTime fault_of_time, std::vector<NamedFile> scene_files)
     : simulation_(simulation),
       inputs_(inputs),
       fault_of_time_(std::move(fault_of_time)),
+      scene_files_(std::move(scene_files)),
       save_(private_nh.advertiseService("save", &StateFiles::save, this)),
       load_(private_nh.advertiseService("load", &StateFiles::load, this)) {}
 
 bool StateFiles::save(StateFile::Request& request, StateFile::Response& response) {
   return answer(response, [&] {
     const std::string path = absolute(request.path);
+    std::vector<NamedFile> files = scene_files_;
+    files.push_back({"~save", path, true});
+    requireDistinct(files);
     saveState(path, simulation_.world(), simulation_.state());
     return path + ": the state at " + shortest(simulation_.time()) + " s";
   });

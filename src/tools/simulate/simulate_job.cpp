@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kBagSample = 0.01;  // [s] as the node publishes by default
 
-void requireDistinctFiles(const SimulateOptions& options) {
-  std::vector<NamedFile> files{{"the scene", options.scene, false}};
+/// files: what is read of the scene.
+void requireDistinctFiles(const SimulateOptions& options, std::vector<NamedFile> files) {
   if (options.wrench_bag) files.push_back({"--wrench-bag", *options.wrench_bag, false});
   if (options.csv && *options.csv != "-") files.push_back({"--csv", *options.csv, true});
   if (options.imu_csv && *options.imu_csv != "-")
@@ -36,8 +36,9 @@ void requireDistinctFiles(const SimulateOptions& options) {
 }
 
 Scene sceneOf(const SimulateOptions& options) {
-  requireDistinctFiles(options);
+  requireDistinctFiles(options, filesOfScene(options.scene, {}));
   Scene scene = loadToolScene(options.scene);
+  requireDistinctFiles(options, filesOfScene(scene.source, scene.files));
   scene.time_step = options.time_step.value_or(scene.time_step);
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
   scene.threads = options.threads.value_or(scene.threads);
