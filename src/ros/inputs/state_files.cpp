@@ -20,6 +20,14 @@ std::string absolute(const std::string& path) {
   return no_matter ? path : full.string();
 }
 
+/// A pipe would be waited for, and time would stand until somebody comes to its other end.
+void requireRegular(const std::string& path) {
+  std::error_code no_matter;  // what cannot be looked at cannot be opened either
+  const std::filesystem::file_status there = std::filesystem::status(path, no_matter);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+    throw SceneError(path, 0, "must be a regular file");
+}
+
 /// The answer to a request: what `action` says, or what it throws.
 template <class Action>
 bool answer(StateFile::Response& response, const Action& action) {
@@ -51,6 +59,7 @@ bool StateFiles::save(StateFile::Request& request, StateFile::Response& response
     std::vector<NamedFile> files = scene_files_;
     files.push_back({"~save", path, true});
     requireDistinct(files);
+    requireRegular(path);
     saveState(path, simulation_.world(), simulation_.state());
     return path + ": the state at " + shortest(simulation_.time()) + " s";
   });
@@ -59,6 +68,7 @@ bool StateFiles::save(StateFile::Request& request, StateFile::Response& response
 bool StateFiles::load(StateFile::Request& request, StateFile::Response& response) {
   return answer(response, [&] {
     const std::string path = absolute(request.path);
+    requireRegular(path);
     LoadInput input{loadState(path, simulation_.world())};
     const std::string fault = fault_of_time_(input.state.t);
     if (!fault.empty()) throw SceneError(path, 0, fault);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <ros/service.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -80,6 +81,22 @@ TEST_F(NodeStateFiles, DoNotReplaceWhatTheSceneWasReadFrom) {
                                         files.path(name) + ": name another one for the output");
   EXPECT_EQ(content("s.yaml"), kRobotScene);
   EXPECT_EQ(content("r.urdf"), kRobot);
+}
+
+// What nobody writes or reads at the other end of a pipe would be waited for while time stands.
+TEST_F(NodeStateFiles, AreRegularFiles) {
+  ASSERT_EQ(mkfifo(files.path("pipe").c_str(), 0600), 0);
+  std::filesystem::create_directory(files.path("directory"));
+  std::filesystem::create_symlink("/dev/null", files.path("device"));
+  std::filesystem::create_symlink(files.path("pipe"), files.path("link to pipe"));
+  for (const char* service : {"save", "load"})
+    for (const char* name : {"pipe", "directory", "device", "link to pipe"})
+      EXPECT_EQ(answer(service, name), "must be a regular file") << service << " " << name;
+  files.written("regular", "");
+  std::filesystem::create_symlink(files.path("regular"), files.path("link"));
+  EXPECT_EQ(answer("save", "link").find("the state at "), 0U);
+  EXPECT_EQ(answer("load", "regular").find("on from the state at "), 0U);
+  EXPECT_TRUE(std::filesystem::is_symlink(files.path("link")));
 }
 
 }  // namespace rigid_body_sim
