@@ -138,10 +138,14 @@ void run(const TradeOptions& options) {
   const Trade trade = measureTrade(options);
   print(tableText(trade) + referenceText(trade.reference) + adviceText(trade));
   if (options.write) writeRecommended(trade);
-  if (hasGnuplot())
+  const std::string there = options.out + "/trade.csv is there",
+                    fault = pictureFault(trade.settings);
+  if (!fault.empty())
+    print("no picture: " + fault + "; " + there + "\n");
+  else if (hasGnuplot())
     plotTrade(trade, options.out + "/trade.svg");
   else
-    print(gnuplotIsMissing(options.out + "/trade.csv is there") + "\n");
+    print(gnuplotIsMissing(there) + "\n");
 }
 
 }  // namespace
