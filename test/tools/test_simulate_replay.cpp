@@ -81,7 +81,9 @@ TEST_F(SimulateBags, BagThatCannotBeUsedIsRefusedInOneLine) {
   const std::map<std::string, std::string> refusals{
       {"--wrench-bag " + path("absent.bag"),
        "absent.bag: cannot be opened: No such file or directory"},
-      {"--wrench-bag " + path("text.bag"), "text.bag: "},
+      {"--wrench-bag " + path("text.bag"),
+       "simulate: --wrench-bag " + path("text.bag") +
+           ": is not a bag: its first line must begin with #ROSBAG\n"},
       {"--wrench-bag " + path("empty.bag"),
        "empty.bag: holds no wrench and no command for a body of the scene"},
       {"--wrench-bag " + path("two.bag"), "must hold the inputs of one node, got /a/inputs and"},
@@ -111,7 +113,7 @@ TEST_F(SimulateBags, BagWithTheInputsOfTwoNodesIsRefused) {
     return status == 1 ? said : std::to_string(status);
   };
   EXPECT_EQ(fault_of("/robot_a/rigid_body_node/wrench", "/robot_b/box/wrench"),
-            "simulate: " + path("pair.bag") +
+            "simulate: --wrench-bag " + path("pair.bag") +
                 ": must hold the inputs of one node, got /robot_a/rigid_body_node/wrench and "
                 "/robot_b/box/wrench; rosbag filter separates them\n");
   EXPECT_EQ(fault_of("/robot_a/rigid_body_node/wrench", "/robot_a/box/wrench"), "0") << said;

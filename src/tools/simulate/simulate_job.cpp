@@ -75,12 +75,18 @@ void SimulateJob::load(const std::string& path) {
   first = std::move(state);
 }
 
+void SimulateJob::openRecord(const std::string& path) {
+  try {
+    record = std::make_unique<RecordedRun>(path, scene, world);
+  } catch (const std::runtime_error& fault) {
+    throw std::runtime_error(std::string("--wrench-bag ") + fault.what());
+  }
+  if (!record->notice().empty()) note(record->notice());
+}
+
 void SimulateJob::openInputs() {
   for (const std::string& notice : scene.notices) note(notice);
-  if (options.wrench_bag) {
-    record = std::make_unique<RecordedRun>(*options.wrench_bag, scene, world);
-    if (!record->notice().empty()) note(record->notice());
-  }
+  if (options.wrench_bag) openRecord(*options.wrench_bag);
   if (options.load) load(*options.load);
   begin = record ? record->begin() : simulation.time();
   if (record && !options.duration && !record->lengthNotice(scene).empty())
