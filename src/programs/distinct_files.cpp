@@ -58,4 +58,12 @@ void requireDistinct(const std::vector<NamedFile>& files) {
   }
 }
 
+std::vector<NamedFile> filesOfScene(const std::string& scene,
+                                    const std::vector<std::string>& files) {
+  std::vector<NamedFile> read{{"the scene", scene, false}};
+  for (const std::string& path : files)
+    read.push_back({"a file that the scene names", path, false});
+  return read;
+}
+
 }  // namespace rigid_body_sim

@@ -17,4 +17,8 @@ struct NamedFile {
 /// may both go to /dev/null.
 void requireDistinct(const std::vector<NamedFile>& files);
 
+/// What is read of a scene: its file, and those that it names (see Scene).
+std::vector<NamedFile> filesOfScene(const std::string& scene,
+                                    const std::vector<std::string>& files);
+
 }  // namespace rigid_body_sim

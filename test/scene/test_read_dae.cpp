@@ -146,6 +146,49 @@ TEST(ReadDae, LooksFromAPlaceTowardsAnother) {
   EXPECT_TRUE(massProperties(mesh, 6).com_B.isApprox(Vector3d(1 - 1.5, 2 - 0.5, 3 + 1), 1e-15));
 }
 
+TEST(ReadDae, LooksUpwardsAsFarAsWhereItLooksAllows) {
+  // Eye (0, 0, 5), seen the origin, so that the node's z is back at the eye, upwards: (0, 0, 1). Up
+  // (0, 3, 4) leans along that; square to it is (0, 1, 0), the node's y. Its x is y × z = (1, 0,
+  // 0).
+  const std::string upright =
+      "<node><lookat>0 0 5 0 0 0 0 3 4</lookat><instance_geometry url=\"#g\"/></node>";
+  const TriangleMesh mesh = solidIn(file(kPolylist, upright));
+  EXPECT_DOUBLE_EQ(volume(mesh), 1);
+  EXPECT_TRUE(massProperties(mesh, 1).com_B.isApprox(Vector3d(0.5, 0.5, 5.5), 1e-15));
+
+  // Eye (1, 2, 3), seen the origin: z = (1, 2, 3)/√14. Up (0, 0, 1) less its part along z is
+  // (0, 0, 1) - 3/14 (1, 2, 3) = (-3, -6, 5)/14, of length √(70)/14: y = (-3, -6, 5)/√70. x = y × z
+  // = (-28, 14, 0)/√(980) = (-2, 1, 0)/√5. The centre of the cube, (½, ½, ½) of the node, is there:
+  const Vector3d center = Vector3d(1, 2, 3) + 0.5 * (Vector3d(-2, 1, 0) / std::sqrt(5) +
+                                                     Vector3d(-3, -6, 5) / std::sqrt(70) +
+                                                     Vector3d(1, 2, 3) / std::sqrt(14));
+  for (const char* numbers : {"1 2 3 0 0 0 0 0 1", "1 2 3 -1e200 -2e200 -3e200 0 0 1e-200"}) {
+    const std::string scene =
+        std::string("<node><lookat>") + numbers + "</lookat><instance_geometry url=\"#g\"/></node>";
+    const TriangleMesh leaning = solidIn(file(kPolylist, scene));
+    EXPECT_NEAR(volume(leaning), 1, 1e-14) << numbers;
+    EXPECT_TRUE(massProperties(leaning, 1).com_B.isApprox(center, 1e-14)) << numbers;
+  }
+}
+
+TEST(ReadDae, RefusesTransformsThatAreNone) {
+  const auto refusalOf = [](const std::string& transform) {
+    return refusal(
+        file(kPolylist, "<node>" + transform + "<instance_geometry url=\"#g\"/></node>"));
+  };
+  for (const char* numbers : {"1 2 3 1 2 3 0 0 1", "0 0 5 0 0 0 0 0 1", "0 0 5 0 0 0 0 1e-9 -2",
+                              "0 0 5 0 0 0 0 0 0", "1e308 0 0 -1e308 0 0 0 0 1"})
+    EXPECT_THAT(refusalOf(std::string("<lookat>") + numbers + "</lookat>"),
+                HasSubstr("lookat: must be a point, another point that is seen from it"))
+        << numbers;
+  for (const char* row : {"0.5 0 0 1", "0 0 1e-9 1", "0 0 0 2", "0 0 0 0"})
+    EXPECT_THAT(refusalOf(std::string("<matrix>1 0 0 0 0 1 0 0 0 0 1 0 ") + row + "</matrix>"),
+                HasSubstr("matrix: must end with 0 0 0 1"))
+        << row;
+  EXPECT_THAT(refusalOf("<rotate>0 0 0 90</rotate>"), HasSubstr("rotate: must have an axis"));
+  EXPECT_EQ(refusalOf("<rotate>0 0 0 0</rotate>"), "read");
+}
+
 TEST(ReadDae, TakesWhatAControllerBendsAsItIs) {
   const auto bentBy = [](const std::string& controllers) {
     return file(kPolylist, "<node><instance_controller url=\"#c\"/></node>", controllers);

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,6 +92,61 @@ TEST_F(CompareRuns, MeasuresWhatDiffers) {
   const std::string d = csv("d.csv", "0", "0,0,0,1"), e = csv("e.csv", "1e-300", "0,0,0,1");
   EXPECT_EQ(compare(d + " " + e).exit_code, 1);
   EXPECT_EQ(compare(d + " " + e + " --tolerance 1e-9").exit_code, 0);
+}
+
+TEST_F(CompareRuns, SaysWhereOnlyBitsDiffer) {
+  const std::string a = csv("a.csv", "0", "0,0,0.6,0.8");
+  for (const auto& [x, q] : {std::pair<std::string, std::string>{"0", "-0,-0,-0.6,-0.8"},
+                             {"-0", "0,0,0.6,0.8"},
+                             {"0", "-0,0,0.6,0.8"}}) {
+    const std::string b = csv("b.csv", x, q);
+    const test::Outcome run = compare(a + " " + b);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(
+        run.out,
+        "box: 2 instants in both, 0 in one only: only bits differ, as those of 0 and -0 or of "
+        "q and -q, the same attitude; first at 0.100000000 s\n"
+        "compare_runs: the runs differ in bits alone; --tolerance X compares their motion\n");
+    EXPECT_EQ(compare(a + " " + b + " --tolerance 1e-300").exit_code, 0) << x << " " << q;
+  }
+  // what is small is more than bits
+  const test::Outcome small = compare(a + " " + csv("b.csv", "1e-300", "0,0,0.6,0.8"));
+  EXPECT_NE(small.out.find("position 1e-300 m"), std::string::npos) << small.out;
+}
+
+TEST_F(CompareRuns, ReadsLinesThatEndAsThoseOfWindows) {
+  const std::string a = csv("a.csv", "0.3", "0,0,0,1");
+  std::string windows;
+  for (const char c : test::runCommand("cat " + a).out)
+    windows += c == '\n' ? "\r\n" : std::string(1, c);
+  const test::Outcome run = compare(a + " " + files.written("windows.csv", windows));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, "box: 2 instants in both, 0 in one only: the same bits\n");
+}
+
+TEST_F(CompareRuns, RefusesWhatIsNoMotion) {
+  const std::string a = csv("a.csv", "0.3", "0,0,0,1"), none = csv("none.csv", "0.3", "0,0,0,0");
+  const std::string fault = ": the norm of the quaternion must be 1, got 0\n";
+  for (const char* options : {"", " --tolerance 10"}) {
+    const test::Outcome run = compare(a + " " + none + options);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.out, "compare_runs: " + none + ": line 3" + fault);
+  }
+  nav_msgs::Odometry odometry;
+  odometry.header.stamp = ros::Time(7);
+  odometry.child_frame_id = "box";
+  const auto refused = [&](const std::string& line) {
+    rosbag::Bag(files.path("none.bag"), rosbag::bagmode::Write)
+        .write("/box/odom", odometry.header.stamp, odometry);
+    const test::Outcome run =
+        compare(bag("a.bag", 5, ros::Time(7)) + " " + files.path("none.bag") + " --tolerance 10");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.out, "compare_runs: " + files.path("none.bag") + ": /box/odom" + line);
+  };
+  refused(fault);
+  odometry.pose.pose.orientation.w = 1;
+  odometry.twist.twist.linear.x = std::numeric_limits<double>::quiet_NaN();
+  refused(": position or velocity is not finite\n");
 }
 
 // A node that is paused says again where a body is; between, the body was put elsewhere.

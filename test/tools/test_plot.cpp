@@ -205,6 +205,16 @@ TEST_F(Plot, RefusesWhatItCannotReadOrWrite) {
           files.path("d") + "/position.svg: cannot be written: Is a directory");
 }
 
+TEST_F(Plot, RefusesToOverwriteWhatItReads) {
+  const std::string rows = kMotionHeader + "0,box,0,0,0,0,0,0,1,0,0,0,0,0,0\n";
+  const std::string input = files.written("velocity.svg", rows);
+  refuses(input + " --out " + files.path("."), 2,
+          "the picture velocity and a file that is read are the same file, " +
+              files.path("./velocity.svg") + ": name another one for the output (plot --help)");
+  EXPECT_EQ(text(input), rows);
+  EXPECT_EQ(pictures(files.path(".")), (std::vector<std::string>{"velocity"}));
+}
+
 TEST_F(Plot, SaysThatRowsRunBackwards) {
   const std::string rows = "2,box,0,0,0,0,0,0,1,0,0,0,0,0,0\n1,box,1,0,0,0,0,0,1,0,0,0,0,0,0\n";
   const test::Outcome run =

@@ -17,7 +17,9 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "ros/messages/conversions.hpp"
+#include "support/mesh_texts.hpp"
 #include "support/simulate_bags.hpp"
+#include "support/triangulations.hpp"
 
 namespace rigid_body_sim {
 
@@ -111,6 +113,29 @@ TEST_F(SimulateBags, OneFileForTwoPurposesIsRefusedAndLeftAsItIs) {
   EXPECT_EQ(content("scene.yaml"), scene_content);
   EXPECT_FALSE(std::filesystem::exists(fresh));
   EXPECT_EQ(simulate(scene_file + " --duration 0.1 --csv /dev/null --bag " + fresh), 0) << said;
+}
+
+TEST_F(SimulateBags, FilesThatTheSceneNamesAreNotOverwritten) {
+  const std::string mesh = asciiStl(triangulated(Box{{1, 1, 1}}, 0));
+  const std::string urdf =
+      "<robot name='r'><link name='base'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
+      "izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link></robot>";
+  directory.written("a.stl", mesh);
+  directory.written("r.urdf", urdf);
+  const std::string scene_file = directory.written("files.yaml", R"(
+time_step: 0.01
+bodies: [{name: a, shape: {mesh: {file: a.stl}}, mass: 1}, {name: b, urdf: {file: r.urdf}}]
+)");
+  std::filesystem::create_hard_link(path("a.stl"), path("hard.stl"));
+  for (const std::string& arguments :
+       {"--csv " + path("r.urdf"), "--bag " + path("hard.stl"), "--save " + path("./a.stl")}) {
+    EXPECT_EQ(simulate(scene_file + " --duration 0.1 " + arguments), 2) << said;
+    EXPECT_NE(said.find(" and a file that the scene names are the same file, "), std::string::npos)
+        << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  }
+  EXPECT_EQ(content("a.stl"), mesh);
+  EXPECT_EQ(content("r.urdf"), urdf);
 }
 
 TEST_F(SimulateBags, FileThatTakesNoMoreIsReportedInOneLine) {

@@ -44,10 +44,10 @@ TEST_F(SimulateBags, WrenchMessagesActFromTheStepAtTheirTimeInTheBag) {
     {
       rosbag::Bag bag(path("messages.bag"), rosbag::bagmode::Write);
       bag.write("/tf_static", begin + ros::Duration(0, 1), tf2_msgs::TFMessage());
-      bag.write("/box/wrench", begin + ros::Duration(0.039), push(3));
+      bag.write("/robot/box/wrench", begin + ros::Duration(0.039), push(3));
       bag.write("/robot/rigid_body_node/wrench", begin + ros::Duration(0.1), general);
       bag.write("/robot/rigid_body_node/wrench", begin + ros::Duration(0.1), refused);
-      bag.write("/boxes/wrench", begin + ros::Duration(0.1), push(100));
+      bag.write("/robot/boxes/wrench", begin + ros::Duration(0.1), push(100));
     }
     ASSERT_EQ(simulate(scene() + " --duration 1 --sample 0.1 --csv " + path("replay.csv") +
                        " --wrench-bag " + path("messages.bag")),
@@ -77,30 +77,16 @@ TEST_F(SimulateBags, BagThatCannotBeUsedIsRefusedInOneLine) {
     rosbag::Bag bag(path("late.bag"), rosbag::bagmode::Write);
     bag.write("/box/wrench", ros::Time(900000000), push(1));
   }
-  {
-    rosbag::Bag bag(path("robots.bag"), rosbag::bagmode::Write);
-    bag.write("/robot_a/box/wrench", ros::Time(1), push(1));
-    bag.write("/robot_b/box/wrench", ros::Time(2), push(1));
-  }
-  {
-    AppliedWrench wrench;
-    wrench.body = "box";
-    rosbag::Bag bag(path("nodes.bag"), rosbag::bagmode::Write);
-    bag.write("/a/rigid_body_node/wrench", ros::Time(1), wrench);
-    bag.write("/b/rigid_body_node/wrench", ros::Time(2), wrench);
-  }
   directory.written("text.bag", "no bag");
   const std::map<std::string, std::string> refusals{
       {"--wrench-bag " + path("absent.bag"),
        "absent.bag: cannot be opened: No such file or directory"},
-      {"--wrench-bag " + path("text.bag"), "text.bag: "},
+      {"--wrench-bag " + path("text.bag"),
+       "simulate: --wrench-bag " + path("text.bag") +
+           ": is not a bag: its first line must begin with #ROSBAG\n"},
       {"--wrench-bag " + path("empty.bag"),
        "empty.bag: holds no wrench and no command for a body of the scene"},
       {"--wrench-bag " + path("two.bag"), "must hold the inputs of one node, got /a/inputs and"},
-      {"--wrench-bag " + path("robots.bag"),
-       "must hold the inputs of one node, got /robot_a/box/wrench and /robot_b/box/wrench"},
-      {"--wrench-bag " + path("nodes.bag"),
-       "must hold the inputs of one node, got /a/rigid_body_node/wrench and /b/"},
       {"--time-step 1e-12 --duration 1e-9 --wrench-bag " + path("late.bag"),
        "late.bag: holds a message at more than 2^53 steps of the scene"},
       {"--bag " + path("no/such/directory"),
@@ -111,6 +97,26 @@ TEST_F(SimulateBags, BagThatCannotBeUsedIsRefusedInOneLine) {
     EXPECT_NE(said.find(line), std::string::npos) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
   }
+}
+
+TEST_F(SimulateBags, BagWithTheInputsOfTwoNodesIsRefused) {
+  AppliedWrench wrench;
+  wrench.header.frame_id = "world";
+  wrench.body = "box";
+  const auto fault_of = [&](const std::string& of_node, const std::string& of_body) {
+    {
+      rosbag::Bag bag(path("pair.bag"), rosbag::bagmode::Write);
+      bag.write(of_node, ros::Time(1), wrench);
+      bag.write(of_body, ros::Time(2), push(1));
+    }
+    const int status = simulate(scene() + " --duration 0.1 --wrench-bag " + path("pair.bag"));
+    return status == 1 ? said : std::to_string(status);
+  };
+  EXPECT_EQ(fault_of("/robot_a/rigid_body_node/wrench", "/robot_b/box/wrench"),
+            "simulate: --wrench-bag " + path("pair.bag") +
+                ": must hold the inputs of one node, got /robot_a/rigid_body_node/wrench and "
+                "/robot_b/box/wrench; rosbag filter separates them\n");
+  EXPECT_EQ(fault_of("/robot_a/rigid_body_node/wrench", "/robot_a/box/wrench"), "0") << said;
 }
 
 TEST_F(SimulateBags, SummaryNamesTheRecordedWrenchesThatChangedABody) {

@@ -243,6 +243,8 @@ struct Scene {
   std::vector<ForceDef> forces;
   std::vector<WrenchDef> wrenches;
   std::vector<CommandDef> commands;
+  std::vector<std::string> files;    ///< absolute, that the scene names; of those in packages that
+                                     ///< are for a viewer alone, nothing is known
   std::vector<std::string> notices;  ///< what the reader changed or doubts; for the user to see
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include "ros/bag/node_of_topics.hpp"
 #include "ros/bag/open_bag.hpp"
 #include "ros/inputs/command_intake.hpp"
 #include "ros/inputs/wrench_intake.hpp"
@@ -65,10 +65,10 @@ class InputMessages {
       if (const auto frames = message.instantiate<tf2_msgs::TFMessage>())
         intake_.addStatic(*frames);
     } else if (const AppliedWrench::ConstPtr wrench = message.instantiate<AppliedWrench>()) {
-      requireOneTopic("", message.getTopic());
+      node_.addOwnTopic(message.getTopic(), "wrench");
       add(message.getTime(), [&](double now) { return one(intake_.take(*wrench, origin, now)); });
     } else if (const AppliedWrenches::ConstPtr list = message.instantiate<AppliedWrenches>()) {
-      requireOneTopic("wrenches", message.getTopic());
+      node_.addOwnTopic(message.getTopic(), "wrenches");
       add(message.getTime(), [&](double now) {
         const std::vector<WrenchInput> wrenches = intake_.take(list->wrenches, origin, now);
         return Inputs(wrenches.begin(), wrenches.end());
@@ -77,12 +77,12 @@ class InputMessages {
       const auto body = bodyOf(message.getTopic(), "/wrench");
       if (!body) return;
       const std::string& name = world_.bodies[*body].name;
-      requireOneTopic(name + "/wrench", message.getTopic());
+      node_.addTopicOfBody(message.getTopic(), name + "/wrench");
       add(message.getTime(), [&](double now) { return one(intake_.take(name, *on_body, now)); });
     } else if (const auto command = message.instantiate<sensor_msgs::JointState>()) {
       const auto body = bodyOf(message.getTopic(), "/command");
       if (!body || world_.bodies[*body].actuators.empty()) return;
-      requireOneTopic(world_.bodies[*body].name + "/command", message.getTopic());
+      node_.addTopicOfBody(message.getTopic(), world_.bodies[*body].name + "/command");
       add(message.getTime(), [&](double now) { return take(*body, *command, now); });
     }
   }
@@ -107,15 +107,6 @@ class InputMessages {
     return std::nullopt;
   }
 
-  /// Two topics of one kind are those of two nodes, of which the scene is one. kind: as within the
-  /// scene, such as box/wrench; empty for the topic for any body.
-  void requireOneTopic(const std::string& kind, const std::string& topic) {
-    const std::string& known = topics_.emplace(kind, topic).first->second;
-    if (known != topic)
-      throw std::invalid_argument("must hold the inputs of one node, got " + known + " and " +
-                                  topic + "; rosbag filter separates them");
-  }
-
   /// resolve(now): the inputs of a message that arrives at the step boundary `now` [s].
   template <class Resolve>
   void add(const ros::Time& arrival, const Resolve& resolve) {
@@ -134,7 +125,7 @@ class InputMessages {
   const World& world_;
   WrenchIntake intake_;
   CommandIntake commands_;
-  std::map<std::string, std::string> topics_;  // by kind
+  NodeOfTopics node_;
 };
 
 BagInputs inputsOf(const rosbag::Bag& bag, const Scene& scene, const World& world) {

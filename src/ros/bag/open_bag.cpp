@@ -32,6 +32,8 @@ void openBag(const std::string& path, rosbag::Bag& bag) {
     throw std::runtime_error(kCut);
   } catch (const rosbag::BagIOException& fault) {
     const std::string text = fault.what();
+    if (text == "Error reading version line")
+      throw std::runtime_error("is not a bag: its first line must begin with #ROSBAG");
     const bool ends_early =
         text.rfind("Error reading from", 0) == 0 || text.rfind("Error seek", 0) == 0;
     if (!ends_early) throw;

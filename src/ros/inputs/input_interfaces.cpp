@@ -17,6 +17,7 @@ InputInterfaces::InputInterfaces(const ros::NodeHandle& nh, const ros::NodeHandl
                 context),
       states_(private_nh, scene.world_frame, TfFrames(scene, options.tf_prefix).bodies(),
               context.simulation, context.inputs),
-      state_files_(private_nh, context.simulation, context.inputs, std::move(fault_of_time)) {}
+      state_files_(private_nh, context.simulation, context.inputs, std::move(fault_of_time),
+                   filesOfScene(scene.source, scene.files)) {}
 
 }  // namespace rigid_body_sim

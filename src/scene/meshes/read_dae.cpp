@@ -18,11 +18,41 @@ Vector3d vectorAt(const std::vector<double>& numbers, std::size_t first) {
   return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
-Eigen::Affine3d lookAt(const std::vector<double>& n) {
-  const Vector3d up = vectorAt(n, 6).normalized();
-  const Vector3d ahead = (vectorAt(n, 3) - vectorAt(n, 0)).normalized();
+/// Rows of a matrix, of which the last must leave the fourth coordinate alone.
+Eigen::Affine3d matrixIn(const DaeElement& e) {
+  const std::vector<double> m = numbersIn(e, 16);
+  if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1)
+    failAt(e,
+           "must end with 0 0 0 1, the last row of what moves, turns and scales: export the mesh "
+           "with its transforms applied");
   Eigen::Affine3d X = Eigen::Affine3d::Identity();
-  X.linear() << ahead.cross(up).normalized(), up, -ahead;
+  X.affine() = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(m.data());
+  return X;
+}
+
+/// Of an axis and degrees.
+Eigen::Affine3d rotateIn(const DaeElement& e) {
+  const std::vector<double> n = numbersIn(e, 4);
+  if (n[3] == 0) return Eigen::Affine3d::Identity();
+  const Vector3d axis = vectorAt(n, 0).stableNormalized();
+  if (!(axis.norm() > 0)) failAt(e, "must have an axis other than 0 0 0");
+  return Eigen::Affine3d(Eigen::AngleAxisd(n[3] * M_PI / 180, axis));
+}
+
+/// Of an eye, a point that it sees and a direction that is upwards, as gluLookAt has them: what is
+/// seen lies along -z, and up in the half-plane of y.
+Eigen::Affine3d lookAtIn(const DaeElement& e) {
+  constexpr double kLeastAngle = 1e-6;  // below, the last of six digits says what is right
+  const std::vector<double> n = numbersIn(e, 9);
+  const Vector3d ahead = (vectorAt(n, 3) - vectorAt(n, 0)).stableNormalized();
+  const Vector3d right = ahead.cross(vectorAt(n, 6).stableNormalized());
+  if (!(right.norm() > kLeastAngle))
+    failAt(e,
+           "must be a point, another point that is seen from it, and a direction upwards that is "
+           "not along the line of sight");
+  const Vector3d side = right.normalized();
+  Eigen::Affine3d X = Eigen::Affine3d::Identity();
+  X.linear() << side, side.cross(ahead), -ahead;
   X.translation() = vectorAt(n, 0);
   return X;
 }
@@ -30,23 +60,15 @@ Eigen::Affine3d lookAt(const std::vector<double>& n) {
 /// What a child of a node does to its place; identity for one that does nothing.
 Eigen::Affine3d transformOf(const DaeElement& e) {
   Eigen::Affine3d X = Eigen::Affine3d::Identity();
-  if (isNamed(e, "matrix")) {
-    const std::vector<double> m = numbersIn(e, 16);  // by rows
-    X.affine() = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(m.data());
-  } else if (isNamed(e, "translate")) {
+  if (isNamed(e, "matrix")) return matrixIn(e);
+  if (isNamed(e, "rotate")) return rotateIn(e);
+  if (isNamed(e, "lookat")) return lookAtIn(e);
+  if (isNamed(e, "translate"))
     X.translation() = vectorAt(numbersIn(e, 3), 0);
-  } else if (isNamed(e, "scale")) {
+  else if (isNamed(e, "scale"))
     X.linear() = vectorAt(numbersIn(e, 3), 0).asDiagonal();
-  } else if (isNamed(e, "rotate")) {
-    const std::vector<double> n = numbersIn(e, 4);  // axis, degrees
-    const double length = vectorAt(n, 0).norm();
-    if (length > 0)
-      X.linear() = Eigen::AngleAxisd(n[3] * M_PI / 180, vectorAt(n, 0) / length).toRotationMatrix();
-  } else if (isNamed(e, "lookat")) {
-    X = lookAt(numbersIn(e, 9));
-  } else if (isNamed(e, "skew")) {
+  else if (isNamed(e, "skew"))
     failAt(e, "is not supported: export the mesh with its transforms applied");
-  }
   return X;
 }
 

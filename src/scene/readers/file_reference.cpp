@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "scene/files/percent_code.hpp"
 #include "scene/files/viewer_url.hpp"
 
 namespace rigid_body_sim {
@@ -36,10 +37,19 @@ FileReference resolvedReference(const std::string& text, const std::filesystem::
   return {path, fileUrl(path)};
 }
 
+void noteDrawnFile(const std::string& url, ReadContext& context) {
+  const std::string scheme = "file://";
+  if (url.compare(0, scheme.size(), scheme) != 0) return;
+  if (const auto path = percentDecoded(url.substr(scheme.size()))) context.files.insert(*path);
+}
+
 FileReference readFileReference(const Entry& value) {
   const std::string text = readText(value);
   try {
-    return resolvedReference(text, value.context().directory, value.context().find_package);
+    const FileReference file =
+        resolvedReference(text, value.context().directory, value.context().find_package);
+    value.context().files.insert(file.path);
+    return file;
   } catch (const std::runtime_error& rule) {
     value.failRule(rule.what());
   }

@@ -29,6 +29,7 @@ HullDef hullOf(const UrdfMesh& mesh, const std::filesystem::path& directory, Rea
                              listed(mesh.scale));
   try {
     const FileReference file = resolvedReference(mesh.file, directory, context.find_package);
+    context.files.insert(file.path);
     return {file.url, mesh.scale, cornersOf(context, file.path, mesh.scale, MeshSolid::kHull)};
   } catch (const std::runtime_error& e) {
     throw std::runtime_error("mesh '" + printable(mesh.file) + "': " + e.what());

@@ -143,6 +143,7 @@ Scene readScene(const YamlNode& tree, ReadContext& context) {
   refuseIdleTolerance(root, scene);
   refuseUncountableSteps(root, scene);
   scene.fingerprint = fingerprintOf(tree);
+  scene.files.assign(context.files.begin(), context.files.end());
   scene.notices = std::move(context.notices);
   for (std::string& notice : suspicions(context)) scene.notices.push_back(std::move(notice));
   checkScene(scene);

@@ -1,5 +1,6 @@
 #include "scene/files/viewer_url.hpp"
 #include "scene/limits.hpp"
+#include "scene/readers/file_reference.hpp"
 #include "scene/readers/readers.hpp"
 #include "scene/readers/suspicious.hpp"
 
@@ -83,6 +84,7 @@ Vector3d readScale(const Entry& value) {
 VisualDef readVisual(const Entry& entry) {
   const auto readMesh = [](const Entry& e, VisualDef& v) {
     v.mesh = viewerUrl(readText(e), e.context().directory);
+    noteDrawnFile(v.mesh, e.context());
   };
   static const std::vector<Key<VisualDef>> keys = {
       {"mesh", readMesh},

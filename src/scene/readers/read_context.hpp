@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -27,6 +28,7 @@ struct ReadContext {
 
   std::string world_frame = Scene().world_frame;
   std::vector<std::string> notices;
+  std::set<std::string> files;  ///< see Scene
   using MeshKey = std::tuple<std::string, std::array<double, 3>, MeshSolid>;
   std::map<MeshKey, MeshDef> meshes;       ///< by path, scale and solid: each read once
   std::map<MeshKey, HullCorners> corners;  ///< likewise

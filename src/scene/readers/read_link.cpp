@@ -113,6 +113,8 @@ LinkedBody readLink(const Entry& entry, const LinkChoice& choice) {
   for (const PlacedLink& placed : links)
     for (Visual visual : placed.link->visuals) {
       visual.X_BV = placed.X_BL * visual.X_BV;
+      if (const auto* mesh = std::get_if<MeshVisual>(&visual.geometry))
+        noteDrawnFile(mesh->url, entry.context());
       body.def.visuals.push_back(visual);
     }
   if (links.size() > 1) body.points = pointsOf(entry, links);

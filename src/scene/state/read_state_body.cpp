@@ -9,8 +9,8 @@
 
 #include "dynamics/world_changes.hpp"
 #include "math/shortest.hpp"
+#include "scene/files/percent_code.hpp"
 #include "scene/limits.hpp"
-#include "scene/state/percent_code.hpp"
 
 namespace rigid_body_sim {
 namespace {

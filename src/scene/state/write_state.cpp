@@ -4,7 +4,7 @@
 #include <locale>
 #include <sstream>
 
-#include "scene/state/percent_code.hpp"
+#include "scene/files/percent_code.hpp"
 #include "scene/state/state_format.hpp"
 
 namespace rigid_body_sim {

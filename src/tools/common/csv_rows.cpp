@@ -46,12 +46,18 @@ bool isBag(const std::string& path) {
          path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
 }
 
+bool readCsvLine(std::istream& file, std::string& line) {
+  if (!std::getline(file, line)) return false;
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  return true;
+}
+
 std::string readCsvRows(std::istream& file, const std::string& header,
                         const std::function<void(const CsvRow&)>& take) {
   const std::vector<std::string> names = fieldsOf(header);
   const bool has_body = names.size() > 1 && names[1] == "body";
   std::string line;
-  for (int number = 2; std::getline(file, line); ++number) {
+  for (int number = 2; readCsvLine(file, line); ++number) {
     if (file.eof())
       return "line " + std::to_string(number) +
              " does not end: the file was cut there, or is still being written";

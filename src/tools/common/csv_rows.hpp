@@ -17,6 +17,9 @@ struct CsvRow {
   std::vector<double> numbers;
 };
 
+/// Reads a line, which may end as those of Windows do. False where there is none.
+bool readCsvLine(std::istream& file, std::string& line);
+
 /// Reads the rows that follow the header, which has been read already. A last line without an end
 /// has been cut, perhaps within a number, and is left out; returns what to say of it, one line,
 /// empty where there is none. Throws std::runtime_error, one line that begins with the line's

@@ -21,7 +21,8 @@ that is in both. Both are
   CSV files (any other name) of simulate --csv.
 
   --tolerance X  differences up to X count as none: position [m], attitude [rad], velocity [m/s],
-                 angular velocity [rad/s]; default: the bits must be the same
+                 angular velocity [rad/s]; default: the bits must be the same, those of 0 and -0
+                 or of q and -q are not
   --help         this text
 
 A body of one run only is printed, and does not count as a difference. A record holds several states
@@ -34,7 +35,7 @@ Exit status: 0 the bodies of both runs agree; 1 they differ, or the input is at 
 void compare(const std::vector<std::string>& files, double tolerance) {
   if (isBag(files[0]) != isBag(files[1]))
     throw UsageError("a bag and a CSV file cannot be compared: their velocities have other axes");
-  bool agree = true;
+  bool agree = true, in_bits_alone = true;
   std::string report;
   const RecordedMotion first = readMotion(files[0]), second = readMotion(files[1]);
   for (const std::string& notice : {first.notice, second.notice})
@@ -42,10 +43,13 @@ void compare(const std::vector<std::string>& files, double tolerance) {
   for (const MotionDifference& body : differencesOf(first, second)) {
     report += text(body);
     agree &= body.isWithin(tolerance);
+    in_bits_alone &= body.same_bits || body.isOfBitsAlone();
   }
   for (const std::string& body : bodiesOfOne(first, second))
     report += body + ": in one of the runs only, not compared\n";
   print(report);
+  if (!agree && in_bits_alone)
+    throw std::runtime_error("the runs differ in bits alone; --tolerance X compares their motion");
   if (!agree) throw std::runtime_error("the runs differ");
 }
 

@@ -1,6 +1,7 @@
 #include "tools/compare_runs/motion_difference.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -12,8 +13,7 @@ namespace rigid_body_sim {
 namespace {
 
 double distance(const Motion& a, const Motion& b, std::size_t begin) {
-  return Vector3d(a[begin] - b[begin], a[begin + 1] - b[begin + 1], a[begin + 2] - b[begin + 2])
-      .norm();
+  return std::hypot(a[begin] - b[begin], a[begin + 1] - b[begin + 1], a[begin + 2] - b[begin + 2]);
 }
 
 Quaterniond attitudeOf(const Motion& m) { return Quaterniond(m[6], m[3], m[4], m[5]); }
@@ -97,6 +97,8 @@ bool MotionDifference::isWithin(double tolerance) const {
   return same_bits || (tolerance > 0 && greatest(*this) <= tolerance);
 }
 
+bool MotionDifference::isOfBitsAlone() const { return !same_bits && greatest(*this) == 0; }
+
 std::vector<MotionDifference> differencesOf(const RecordedMotion& a, const RecordedMotion& b) {
   std::vector<MotionDifference> differences;
   for (const auto& [body, motion] : a.bodies)
@@ -126,6 +128,12 @@ std::string text(const MotionDifference& d) {
         "counts), %zu in one only: ",
         d.body.c_str(), d.instants, d.several, d.alone);
   if (d.same_bits) return line + "the same bits\n";
+  if (d.isOfBitsAlone())
+    return line +
+           formatted(
+               "only bits differ, as those of 0 and -0 or of q and -q, the same attitude; first "
+               "at %s s\n",
+               timeText(d.first).c_str());
   line += formatted("position %.2g m, attitude %.2g rad, velocity %.2g m/s, ", d.position,
                     d.attitude, d.velocity);
   return line + formatted("angular velocity %.2g rad/s; first at %s s\n", d.angular_velocity,

@@ -22,6 +22,9 @@ struct MotionDifference {
   std::int64_t first = 0;       ///< [ns] the first instant at which the bits differ, if any do
 
   bool isWithin(double tolerance) const;
+
+  /// Whether the numbers that differ mean the same motion.
+  bool isOfBitsAlone() const;
 };
 
 /// Of every body that both runs hold. Of an instant at which a run holds several motions the two

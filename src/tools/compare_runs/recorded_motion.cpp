@@ -18,6 +18,7 @@
 #include "scene/files/read_file.hpp"
 #include "tools/common/csv_header.hpp"
 #include "tools/common/csv_rows.hpp"
+#include "tools/common/require_motion.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -28,6 +29,17 @@ Motion motionOf(const nav_msgs::Odometry& message) {
   return {position.x,    position.y,    position.z, orientation.x, orientation.y,
           orientation.z, orientation.w, linear.x,   linear.y,      linear.z,
           angular.x,     angular.y,     angular.z};
+}
+
+/// A quaternion of zeros would be near any other.
+Motion checkedMotionOf(const nav_msgs::Odometry& message, const std::string& topic) {
+  const Motion motion = motionOf(message);
+  try {
+    requireMotion(motion);
+  } catch (const std::exception& fault) {
+    throw std::runtime_error(topic + ": " + fault.what());
+  }
+  return motion;
 }
 
 /// A node repeats what it said while time stands.
@@ -48,7 +60,7 @@ RecordedMotion motionOfBag(const std::string& path) {
     if (!message) throw std::runtime_error(instance.getTopic() + " is of another version");
     const ros::Time& stamp = message->header.stamp;
     if (starts.isStart(instance.getTopic(), stamp)) motion.bodies.clear();
-    add(motionOf(*message),
+    add(checkedMotionOf(*message, instance.getTopic()),
         motion.bodies[message->child_frame_id][static_cast<std::int64_t>(stamp.toNSec())]);
   });
   if (motion.bodies.empty()) throw std::runtime_error("holds no odometry (nav_msgs/Odometry)");
@@ -63,6 +75,7 @@ void addRow(const CsvRow& row, RecordedMotion& motion) {
   if (std::abs(row.time) > kMaxSeconds) throw std::runtime_error("time must be at most 9e9 s");
   Motion state;
   std::copy(row.numbers.begin(), row.numbers.end(), state.begin());
+  requireMotion(state);
   add(state, motion.bodies[row.body][std::llround(row.time * 1e9)]);
 }
 
@@ -73,7 +86,7 @@ RecordedMotion motionOfCsv(const std::string& path) {
   std::ifstream file(path);
   std::string row;
   if (!file.is_open()) throw std::runtime_error(openFault(path, errno));
-  std::getline(file, row);
+  readCsvLine(file, row);
   if (row != kCsvHeader)
     throw std::runtime_error("neither a bag (.bag) nor a CSV file of simulate: line 1 must be " +
                              std::string(kCsvHeader));

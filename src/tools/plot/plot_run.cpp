@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "math/shortest.hpp"
+#include "programs/distinct_files.hpp"
 #include "programs/make_directory.hpp"
 #include "programs/usage.hpp"
 #include "scene/message_text.hpp"
@@ -39,6 +40,18 @@ std::string timeAxis(const RunData& run) {
   return run.begin == 0 ? "time [s]" : "time since " + shortest(run.begin) + " s [s]";
 }
 
+std::string pictureOf(const Figure& figure, const PlotJob& job) {
+  return (std::filesystem::path(job.out) / (figure.name + ".svg")).string();
+}
+
+void requireDistinctFiles(const PlotJob& job, const std::vector<Figure>& figures) {
+  std::vector<NamedFile> files;
+  for (const std::string& path : job.files) files.push_back({"a file that is read", path, false});
+  for (const Figure& figure : figures)
+    files.push_back({"the picture " + figure.name, pictureOf(figure, job), true});
+  requireDistinct(files);
+}
+
 }  // namespace
 
 std::string plotRun(const PlotJob& job, const Note& note) {
@@ -50,10 +63,12 @@ std::string plotRun(const PlotJob& job, const Note& note) {
     note("body '" + printable(fast) +
          "' turns more than half a turn between two samples: its roll, pitch and yaw may miss "
          "whole turns; a shorter --sample of simulate shows them");
+  const std::vector<Figure> figures = figuresOf(run, bodies);
+  requireDistinctFiles(job, figures);
   makeDirectory(job.out);
   std::string written;
-  for (const Figure& figure : figuresOf(run, bodies)) {
-    const std::string svg = (std::filesystem::path(job.out) / (figure.name + ".svg")).string();
+  for (const Figure& figure : figures) {
+    const std::string svg = pictureOf(figure, job);
     drawFigure(figure, timeAxis(run), svg);
     written += (written.empty() ? "wrote " : ", ") + (written.empty() ? svg : figure.name + ".svg");
   }

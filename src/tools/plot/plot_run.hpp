@@ -15,7 +15,8 @@ struct PlotJob {
 
 /// Draws the figures of a run. note: takes a line for the user. Returns the files written, as one
 /// line. Throws std::runtime_error with one line for files that cannot be read or written and
-/// UsageError for a body that the run does not hold.
+/// UsageError for a body that the run does not hold and for a picture that would overwrite a file
+/// that is read.
 std::string plotRun(const PlotJob& job, const std::function<void(const std::string&)>& note);
 
 }  // namespace rigid_body_sim

@@ -19,6 +19,7 @@
 #include "ros/bag/run_starts.hpp"
 #include "ros/messages/conversions.hpp"
 #include "scene/message_text.hpp"
+#include "tools/common/require_motion.hpp"
 #include "tools/plot/run_data.hpp"
 
 namespace rigid_body_sim {

@@ -8,13 +8,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include <rigid_body_sim/math/rotation.hpp>
-
 #include "math/shortest.hpp"
 #include "scene/files/read_file.hpp"
 #include "scene/message_text.hpp"
 #include "tools/common/csv_header.hpp"
 #include "tools/common/csv_rows.hpp"
+#include "tools/common/require_motion.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -58,7 +57,7 @@ std::string readBalanceRows(std::istream& file, const std::string& header, RunDa
 
 std::string readRows(std::istream& file, RunData& run) {
   std::string header;
-  std::getline(file, header);
+  readCsvLine(file, header);
   if (header == kCsvHeader) return readMotionRows(file, header, run);
   if (header == kForcesHeader) return readForceRows(file, header, run);
   if (header == kBalanceHeader) return readBalanceRows(file, header, run);
@@ -111,14 +110,6 @@ bool isEmpty(const RunData& run) {
 }
 
 }  // namespace
-
-void requireMotion(const std::array<double, 13>& motion) {
-  for (const double x : motion)
-    if (!std::isfinite(x)) throw std::runtime_error("position or velocity is not finite");
-  const Quaterniond q(motion[6], motion[3], motion[4], motion[5]);
-  if (!isNearlyUnit(q))
-    throw std::runtime_error("the norm of the quaternion must be 1, got " + shortest(q.norm()));
-}
 
 RunData readRun(const std::vector<std::string>& paths) {
   RunData run;

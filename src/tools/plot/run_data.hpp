@@ -69,7 +69,4 @@ RunData readRun(const std::vector<std::string>& paths);
 /// The same of a bag.
 RunData readBagRun(const std::string& path);
 
-/// Throws std::runtime_error for numbers that are not finite, or no unit quaternion.
-void requireMotion(const std::array<double, 13>& motion);
-
 }  // namespace rigid_body_sim

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kBagSample = 0.01;  // [s] as the node publishes by default
 
-void requireDistinctFiles(const SimulateOptions& options) {
-  std::vector<NamedFile> files{{"the scene", options.scene, false}};
+/// files: what is read of the scene.
+void requireDistinctFiles(const SimulateOptions& options, std::vector<NamedFile> files) {
   if (options.wrench_bag) files.push_back({"--wrench-bag", *options.wrench_bag, false});
   if (options.csv && *options.csv != "-") files.push_back({"--csv", *options.csv, true});
   if (options.imu_csv && *options.imu_csv != "-")
@@ -36,8 +36,9 @@ void requireDistinctFiles(const SimulateOptions& options) {
 }
 
 Scene sceneOf(const SimulateOptions& options) {
-  requireDistinctFiles(options);
+  requireDistinctFiles(options, filesOfScene(options.scene, {}));
   Scene scene = loadToolScene(options.scene);
+  requireDistinctFiles(options, filesOfScene(scene.source, scene.files));
   scene.time_step = options.time_step.value_or(scene.time_step);
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
   scene.threads = options.threads.value_or(scene.threads);
@@ -74,12 +75,18 @@ void SimulateJob::load(const std::string& path) {
   first = std::move(state);
 }
 
+void SimulateJob::openRecord(const std::string& path) {
+  try {
+    record = std::make_unique<RecordedRun>(path, scene, world);
+  } catch (const std::runtime_error& fault) {
+    throw std::runtime_error(std::string("--wrench-bag ") + fault.what());
+  }
+  if (!record->notice().empty()) note(record->notice());
+}
+
 void SimulateJob::openInputs() {
   for (const std::string& notice : scene.notices) note(notice);
-  if (options.wrench_bag) {
-    record = std::make_unique<RecordedRun>(*options.wrench_bag, scene, world);
-    if (!record->notice().empty()) note(record->notice());
-  }
+  if (options.wrench_bag) openRecord(*options.wrench_bag);
   if (options.load) load(*options.load);
   begin = record ? record->begin() : simulation.time();
   if (record && !options.duration && !record->lengthNotice(scene).empty())

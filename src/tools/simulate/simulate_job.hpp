@@ -45,6 +45,7 @@ struct SimulateJob {
   std::unique_ptr<PlotFiles> plot;
 
  private:
+  void openRecord(const std::string& path);
   void load(const std::string& path);
   void checkTimes() const;
   void openImuCsv();

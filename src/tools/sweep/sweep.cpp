@@ -68,10 +68,10 @@ std::vector<std::string> writtenFiles(const SweepOptions& options) {
   return names;
 }
 
-void requireDistinctFiles(const SweepOptions& options) {
+/// files: what is read of the scene.
+void requireDistinctFiles(const SweepOptions& options, std::vector<NamedFile> files) {
   const std::filesystem::path out = options.directory();
-  std::vector<NamedFile> files{{"the scene", options.scene, false},
-                               {"the study", options.study, false}};
+  files.push_back({"the study", options.study, false});
   for (const std::string& name : writtenFiles(options))
     files.push_back({name, (out / name).string(), true});
   requireDistinct(files);
@@ -98,8 +98,9 @@ void merge(const SweepOptions& options) {
 
 void run(const SweepOptions& options) {
   if (!options.merge.empty()) return merge(options);
-  requireDistinctFiles(options);
+  requireDistinctFiles(options, filesOfScene(options.scene, {}));
   SweepJob job(options);
+  requireDistinctFiles(options, filesOfScene(options.scene, job.filesOfScene()));
   for (const std::string& notice : job.notices()) SweepJob::notify(notice);
   if (options.run) return print(job.writeScene(*options.run) + "\n");
   const Shard& shard = options.launched.shard;

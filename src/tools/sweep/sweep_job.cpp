@@ -93,6 +93,11 @@ std::uint64_t SweepJob::digestOfAll() const {
   return digestOf(texts);
 }
 
+std::vector<std::string> SweepJob::filesOfScene() const {
+  const std::set<std::string>& files = runners_.front()->context().files;
+  return {files.begin(), files.end()};
+}
+
 std::string SweepJob::sceneName(std::int64_t number) {
   return "run_" + std::to_string(number) + ".yaml";
 }

@@ -35,6 +35,9 @@ class SweepJob {
   const TableInfo& info() const { return info_; }
   const std::vector<std::string>& notices() const { return runners_.front()->notices(); }
 
+  /// That the scene names, with every value that the study lists.
+  std::vector<std::string> filesOfScene() const;
+
   /// Writes a line for the user; none for an empty notice.
   static void notify(const std::string& notice);
 

@@ -88,8 +88,17 @@ void sortLadders(std::vector<Setting>& settings) {
   }
 }
 
+/// files: what is read of the scene.
+void requireDistinctFiles(const TradeOptions& options, std::vector<NamedFile> files) {
+  files.push_back({"the table", options.out + "/trade.csv", true});
+  files.push_back({"the plot", options.out + "/trade.svg", true});
+  requireDistinct(files);
+}
+
 Trade measureTrade(const TradeOptions& options) {
+  requireDistinctFiles(options, filesOfScene(options.scene, {}));
   const Scene scene = loadToolScene(options.scene);
+  requireDistinctFiles(options, filesOfScene(scene.source, scene.files));
   const double duration = options.duration.value_or(scene.horizon);
   requireCountable(duration, scene.time_step, "steps");
   const World world = buildWorld(scene);
@@ -118,12 +127,6 @@ Trade measureTrade(const TradeOptions& options) {
   return trade;
 }
 
-void requireDistinctFiles(const TradeOptions& options) {
-  requireDistinct({{"the scene", options.scene, false},
-                   {"the table", options.out + "/trade.csv", true},
-                   {"the plot", options.out + "/trade.svg", true}});
-}
-
 void writeRecommended(const Trade& trade) {
   const Setting* best = recommended(trade);
   if (!best) throw std::runtime_error(trade.scene + ": left as it was");
@@ -132,14 +135,17 @@ void writeRecommended(const Trade& trade) {
 }
 
 void run(const TradeOptions& options) {
-  requireDistinctFiles(options);
   const Trade trade = measureTrade(options);
   print(tableText(trade) + referenceText(trade.reference) + adviceText(trade));
   if (options.write) writeRecommended(trade);
-  if (hasGnuplot())
+  const std::string there = options.out + "/trade.csv is there",
+                    fault = pictureFault(trade.settings);
+  if (!fault.empty())
+    print("no picture: " + fault + "; " + there + "\n");
+  else if (hasGnuplot())
     plotTrade(trade, options.out + "/trade.svg");
   else
-    print(gnuplotIsMissing(options.out + "/trade.csv is there") + "\n");
+    print(gnuplotIsMissing(there) + "\n");
 }
 
 }  // namespace

@@ -9,14 +9,15 @@
 namespace rigid_body_sim {
 namespace {
 
-/// A named block of points (processor time [us/s], error); a zero has no place on a log scale.
+/// A named block of points (processor time [us/s], error); an error of zero has no place on a log
+/// scale.
 template <class Keep>
 void writeBlock(const std::string& name, const std::vector<Setting>& settings, const Keep& keep,
                 std::ostream& script) {
   constexpr double kLeast = 1e-17;
   script << name << " << EOD\n";
   for (const Setting& s : settings)
-    if (keep(s))
+    if (keep(s) && canBeDrawn(s))
       script << 1e-3 * s.cpu_ns_per_sim_s << ' ' << std::max(s.errors.bounded(), kLeast) << '\n';
   script << "EOD\n";
 }

@@ -26,6 +26,17 @@ double countedWork(const Simulation& simulation) {
   return work;
 }
 
+/// At an instant of the reference. Where steps are longer than all of it together, an instant may
+/// be nearer to one of their ends than what stateAt takes for rounding, and is not there all the
+/// same.
+State stateOf(Simulation& simulation, const Reference& reference, std::size_t instant) {
+  const auto instants = static_cast<double>(reference.states.size() - 1);
+  const double t = reference.duration * static_cast<double>(instant) / instants;
+  const double rounding = 1e-9 * reference.duration / instants;
+  stepTo(simulation, t);
+  return std::abs(t - simulation.time()) <= rounding ? simulation.state() : simulation.sample(t);
+}
+
 }  // namespace
 
 double movingBodyCount(const World& world) {
@@ -46,9 +57,7 @@ Setting measureSetting(const World& world, const Reference& reference,
   Simulation sampled(start);
   std::vector<State> track{start.state()};
   const std::size_t instants = reference.states.size() - 1;
-  for (std::size_t k = 1; k <= instants; ++k)
-    track.push_back(stateAt(
-        sampled, reference.duration * static_cast<double>(k) / static_cast<double>(instants)));
+  for (std::size_t k = 1; k <= instants; ++k) track.push_back(stateOf(sampled, reference, k));
   setting.errors = errorsOf(world, track, reference.states);
   setting.has_substeps = sampled.maxSubsteps() > 1;
 
@@ -80,6 +89,20 @@ std::optional<Setting> tryMeasuring(const World& world, const Reference& referen
 
 double resolvedError(const Setting& setting, const Reference& reference) {
   return std::max(setting.errors.bounded(), reference.doubt.bounded());
+}
+
+bool canBeDrawn(const Setting& setting) {
+  const double cost = setting.cpu_ns_per_sim_s;
+  return cost > 0 && std::isfinite(cost) && std::isfinite(setting.errors.bounded());
+}
+
+std::string pictureFault(const std::vector<Setting>& settings) {
+  if (std::any_of(settings.begin(), settings.end(), canBeDrawn)) return "";
+  const bool lacks_times = std::none_of(settings.begin(), settings.end(), [](const Setting& s) {
+    return s.cpu_ns_per_sim_s > 0 && std::isfinite(s.cpu_ns_per_sim_s);
+  });
+  return lacks_times ? "the clock of processor time is too coarse for runs as short as these"
+                     : "no setting has an error that is finite";
 }
 
 std::vector<Setting> paretoFront(std::vector<Setting> settings, const Reference& reference) {

@@ -45,6 +45,12 @@ std::optional<Setting> tryMeasuring(const World& world, const Reference& referen
 /// The greatest error that can be told apart from the reference's own.
 double resolvedError(const Setting& setting, const Reference& reference);
 
+/// Whether a setting has a place on logarithmic axes of processor time and error.
+bool canBeDrawn(const Setting& setting);
+
+/// Why none of the settings can be drawn; empty where some can.
+std::string pictureFault(const std::vector<Setting>& settings);
+
 /// The settings that none beats in both error and processor time, by ascending time. Errors that
 /// the reference cannot tell apart are equal.
 std::vector<Setting> paretoFront(std::vector<Setting> settings, const Reference& reference);

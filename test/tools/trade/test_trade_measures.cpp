@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -192,6 +193,54 @@ TEST(TradeMeasures, LeaveOutABodyThatIsAbsent) {
   EXPECT_EQ(errors.attitude, expected.attitude);
   EXPECT_EQ(errors.position, expected.position);
   EXPECT_EQ(movingBodyCount(with_guest.world), 1);
+}
+
+// Whatever the step, such a run is a part of one.
+TEST(TradeMeasures, ShowTheErrorOfARunShorterThanAStep) {
+  constexpr double kG = 9.81, kSpeed = 2;
+  Bench bench;
+  bench.world.g_W = {0, 0, -kG};
+  bench.add(test::principalBody("box", 2, {1, 2, 2.5}), test::tumbling({0, 0, 1}, {2, 1, 0.2}));
+  bench.initial.bodies[0].p_W = Vector3d(2 * kSpeed, 0, 0);
+  for (const double duration : {1e-15, 1e-9, 1e-6, 1e-3}) {
+    const Reference reference = computeReference(bench.world, bench.initial, duration);
+    for (const std::string& integrator : integratorsFor(bench.world, bench.initial)) {
+      const auto errors_at = [&](double step) {
+        return measureSetting(bench.world, reference, integrator, step, {test::kBriefly, 0}).errors;
+      };
+      const Errors whole = errors_at(0.01), quarter = errors_at(0.0025);
+      EXPECT_EQ(whole.attitude, quarter.attitude) << integrator << ", " << duration << " s";
+      EXPECT_EQ(whole.position, quarter.position) << integrator << ", " << duration << " s";
+      // it turns by a few times the duration [rad], and a run that has not begun lacks its path
+      EXPECT_LE(whole.attitude, 1e-3 * duration + 1e-14) << integrator << ", " << duration << " s";
+      // it falls with the speed of the end instead of the mean one: by g t²/2 on a path of v t
+      const double most = integrator == "semi_implicit_euler" ? kG * duration / (2 * kSpeed) : 0;
+      EXPECT_LE(whole.position, most * (1 + 1e-3) + 1e-9) << integrator << ", " << duration << " s";
+      if (duration >= 1e-6) {  // below, that is less than what rounding may be
+        EXPECT_GE(whole.position, most * (1 - 1e-2)) << integrator << ", " << duration << " s";
+      }
+    }
+  }
+}
+
+TEST(TradeMeasures, SayWhyNoneOfThemCanBeDrawn) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto fault_of = [](double cost, double error) {
+    Setting setting;
+    setting.cpu_ns_per_sim_s = cost;
+    setting.errors.position = error;
+    EXPECT_EQ(canBeDrawn(setting), pictureFault({setting}).empty());
+    return pictureFault({setting, setting});
+  };
+  EXPECT_EQ(fault_of(1e3, 0), "");
+  EXPECT_EQ(fault_of(1e3, 1e-3), "");
+  const std::string coarse = "the clock of processor time is too coarse for runs as short as these";
+  for (const double cost : {0.0, -1e3, kInfinity}) EXPECT_EQ(fault_of(cost, 0), coarse) << cost;
+  EXPECT_EQ(fault_of(1e3, kInfinity), "no setting has an error that is finite");
+  // one is enough
+  Setting drawn, timeless;
+  drawn.cpu_ns_per_sim_s = 1;
+  EXPECT_EQ(pictureFault({timeless, drawn}), "");
 }
 
 }  // namespace rigid_body_sim

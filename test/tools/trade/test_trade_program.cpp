@@ -203,6 +203,22 @@ TEST(TradeProgram, RefusesToOverwriteTheSceneByItsTable) {
   EXPECT_EQ(fileText(path), springScene("time_step: 0.005\n"));
 }
 
+TEST(TradeProgram, RefusesToOverwriteAFileThatTheSceneNames) {
+  const std::string directory = newDirectory(), urdf = directory + "/trade.csv";
+  const std::string robot =
+      "<robot name='r'><link name='base'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
+      "izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link></robot>";
+  std::ofstream(urdf) << robot;
+  const std::string path = directory + "/scene.yaml";
+  std::ofstream(path) << "time_step: 0.01\nbodies: [{name: a, urdf: {file: trade.csv}}]\n";
+  const Outcome run = trade(path + " --duration 0.1 --out " + directory + " 2>&1");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.out.find("the table and a file that the scene names are the same file"),
+            std::string::npos)
+      << run.out;
+  EXPECT_EQ(fileText(urdf), robot);
+}
+
 TEST(TradeProgram, LeavesAValidFileWhenInterrupted) {
   const std::string directory = newDirectory();
   // a pipe in place of the file: whoever reads is woken, and what no one reads holds the writer up

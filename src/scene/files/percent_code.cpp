@@ -1,4 +1,4 @@
-#include "scene/state/percent_code.hpp"
+#include "scene/files/percent_code.hpp"
 
 namespace rigid_body_sim {
 namespace {
