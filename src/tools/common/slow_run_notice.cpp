@@ -113,8 +113,8 @@ void SlowRunNotice::planLook(std::int64_t steps, Clock::time_point now) {
   constexpr double kLookEvery = 0.1;  // [s]
   const double since = std::chrono::duration<double>(now - last_look_).count();
   const auto taken = static_cast<double>(steps - looked_at_);
-  constexpr double kMostGrowth = 10;
-  const double pace = std::min(kLookEvery / std::max(since, 1e-9), kMostGrowth);
+  constexpr double kMaxGrowth = 10;
+  const double pace = std::min(kLookEvery / std::max(since, 1e-9), kMaxGrowth);
   next_look_ = steps + static_cast<std::int64_t>(std::clamp(taken * pace, 1.0, 1e6));
   last_look_ = now;
   looked_at_ = steps;
