@@ -97,8 +97,8 @@ class Stepper {
   [[noreturn]] void failTooFast(const System& system, double h, const SystemState& states,
                                 const std::string& limit) const;
   double rateBroughtAbout(const System& system, double h, const SystemState& states) const;
-  /// Integrators of order 2 err across a kink as they do elsewhere.
-  bool heedsKinks() const { return has_kink_ && choice_.method->order > 2; }
+  /// The one integrator whose order a kink takes away altogether.
+  bool heedsKinks() const { return has_kink_ && choice_.method->claimsTo(kEstimatesError); }
   double beforeKink(const System& system, double h, const SystemState& states) const;
   double lengthBesideKinks(const System& system, double left, double substep,
                            const StepBound& of_step, const SystemState& states);
