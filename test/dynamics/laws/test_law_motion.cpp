@@ -139,15 +139,14 @@ TEST(GravityGradient, LibratesWithItsPeriod) {
   // wheels that stand still, about axes in the plane of the motion, are so much more of the body
   for (const std::vector<Actuator>& wheels :
        {std::vector<Actuator>(),
-        {{"wheel", Wheel{Vector3d::UnitX(), 0.6}},
-         {"other", Wheel{Vector3d(0.6, 0.8, 0), 0.4}}}}) {
+        {{"wheel", Wheel{Vector3d::UnitX(), 0.6}}, {"other", Wheel{Vector3d(0.6, 0.8, 0), 0.4}}}}) {
     Bench bench;
     bench.add(makeBody("satellite", {1, Vector3d::Zero(), I.asDiagonal()}, wheels), motion);
     bench.addCentralGravity(0, Vector3d::Zero(), mu, true);
     const double period = 4 * completeK(std::sin(amplitude)) / (n * std::sqrt(3 * sigma));
     const BodyState s = bench.run("dop853", 10.25 * period, 5000).bodies[0];
-    const Vector3d radial_B = toBodyFrameMotion(bench.world.bodies[0], s).q_WB.inverse() *
-                              Vector3d(s.x_W.normalized());
+    const Vector3d radial_B =
+        toBodyFrameMotion(bench.world.bodies[0], s).q_WB.inverse() * Vector3d(s.x_W.normalized());
     EXPECT_NEAR(std::atan2(radial_B.y(), radial_B.x()), 0, 1e-10) << wheels.size() << " wheels";
   }
 }
