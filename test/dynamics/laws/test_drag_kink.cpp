@@ -18,20 +18,20 @@ namespace {
 using test::Bench;
 
 /// That does nothing but make auto step the body.
-const std::vector<Actuator> kIdleThruster = {Actuator{"idle", Thruster()}};
+const std::vector<Actuator> kOnlyIdle = {Actuator{"idle", Thruster()}};
 
 /// Thrown upwards under z'' = −g − k z' |z'|, with c = √(g/k) and φ = arctan(v₀/c), that is
 ///   z = c²/g ln(cos(φ − g t/c)/cos φ)     up to the top at t = φ c/g,
 ///   z = top − c²/g ln cosh(g (t − φ c/g)/c)   from there on.
-struct Throw {
+struct ThrowPastZero {
   double v_0, k, time_step, tolerance;
   static constexpr double g = 10, duration = 2;
 
-  struct Place {
+  struct KnownPlace {
     double z, path;
   };
 
-  Place at(double t) const {
+  KnownPlace at(double t) const {
     const double c = std::sqrt(g / k), phi = std::atan(v_0 / c);
     const double to_top = phi * c / g, top = -c * c / g * std::log(std::cos(phi));
     if (t < to_top) {
@@ -43,20 +43,20 @@ struct Throw {
   }
 };
 
-Simulation thrown(const Throw& how, const std::string& integrator) {
+Simulation thrownPastZero(const ThrowPastZero& how, const std::string& integrator) {
   Bench bench;
-  bench.world.g_W = {0, 0, -Throw::g};
-  bench.world.solver.horizon = Throw::duration;
+  bench.world.g_W = {0, 0, -ThrowPastZero::g};
+  bench.world.solver.horizon = ThrowPastZero::duration;
   bench.world.solver.tolerance = how.tolerance;
   bench.world.solver.tolerance_stated = true;
   const MassProperties ball{1, Vector3d::Zero(), 0.004 * Matrix3d::Identity()};
-  bench.add(makeBody("ball", ball, kIdleThruster), test::tumbling({0, 0, how.v_0}, {0, 0, 0}));
+  bench.add(makeBody("ball", ball, kOnlyIdle), test::tumbling({0, 0, how.v_0}, {0, 0, 0}));
   bench.addDrag(0, {0, how.k, 0});
   return bench.simulation(integrator, how.time_step);
 }
 
 /// Relative to the path so far, ten times a second, also within steps.
-double worstOf(const Throw& how, Simulation& sim) {
+double worstRowOf(const ThrowPastZero& how, Simulation& sim) {
   double worst = 0;
   for (int tenth = 1; tenth <= 20; ++tenth) {
     const double t = 0.1 * tenth;
@@ -83,14 +83,15 @@ TEST(DragKink, IsAsFarAsUIsFromZeroAtItsRate) {
 
 // Of 400 such throws 18 were beyond their tolerance, by up to 400 times, and said nothing.
 TEST(DragKink, KeepsToTheToleranceAlsoWithinSteps) {
-  for (const Throw& how : {Throw{9.81, 0.533, 2, 1e-8},
-                           {5.29, 0.018, 2, 1e-8},
-                           {3.85, 0.04, 1, 1e-6},
-                           {7.14, 0.115, 0.5, 1e-8},
-                           {3.21, 0.02, 1, 1e-6},
-                           {9.84, 0.048, 2, 1e-6}}) {
-    Simulation sim = thrown(how, "auto");
-    EXPECT_LE(worstOf(how, sim), how.tolerance) << how.v_0 << " m/s, " << describeSolution(sim)[0];
+  for (const ThrowPastZero& how : {ThrowPastZero{9.81, 0.533, 2, 1e-8},
+                                   {5.29, 0.018, 2, 1e-8},
+                                   {3.85, 0.04, 1, 1e-6},
+                                   {7.14, 0.115, 0.5, 1e-8},
+                                   {3.21, 0.02, 1, 1e-6},
+                                   {9.84, 0.048, 2, 1e-6}}) {
+    Simulation sim = thrownPastZero(how, "auto");
+    EXPECT_LE(worstRowOf(how, sim), how.tolerance)
+        << how.v_0 << " m/s, " << describeSolution(sim)[0];
     EXPECT_TRUE(sim.plans()[0].holds);
   }
 }
@@ -99,9 +100,9 @@ TEST(DragKink, KeepsToTheToleranceAlsoWithinSteps) {
 // after the top on), and by no more across the kink.
 TEST(DragKink, CostsANamedIntegratorNoDigits) {
   for (double time_step : {0.5, 0.25, 0.1}) {
-    const Throw how{5.29, 0.018, time_step, 1e-9};
-    Simulation sim = thrown(how, "dop853");
-    EXPECT_LE(worstOf(how, sim), 1e-9) << time_step;
+    const ThrowPastZero how{5.29, 0.018, time_step, 1e-9};
+    Simulation sim = thrownPastZero(how, "dop853");
+    EXPECT_LE(worstRowOf(how, sim), 1e-9) << time_step;
   }
 }
 
@@ -115,7 +116,7 @@ TEST(DragKink, IsPassedByAtTheTolerance) {
     bench.world.solver.tolerance = tolerance;
     bench.world.solver.tolerance_stated = true;
     const MassProperties ball{1, Vector3d::Zero(), Matrix3d::Identity()};
-    bench.add(makeBody("ball", ball, kIdleThruster), test::tumbling({0, 0, 0.2}, {0, 0, 0}));
+    bench.add(makeBody("ball", ball, kOnlyIdle), test::tumbling({0, 0, 0.2}, {0, 0, 0}));
     MediumDrag::Coefficients drag;
     drag.quadratic.alike = 1;
     drag.center_P = {0, 0.1, 0};
