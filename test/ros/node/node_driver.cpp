@@ -21,6 +21,7 @@ NodeDriver::NodeDriver(const std::vector<std::string>& bodies) : bodies_(bodies)
   step_ = nh_.serviceClient<Step>(service("step"), true);
   pause_ = nh_.serviceClient<std_srvs::SetBool>(service("pause"), true);
   reset_ = nh_.serviceClient<std_srvs::Trigger>(service("reset"), true);
+  ros::service::waitForService("rigid_body_node/get_state");  // the fixtures ask for it at once
   constexpr std::uint32_t kQueueSize = 100000;
   for (const std::string& body : bodies_) {
     const boost::function<void(const nav_msgs::Odometry&)> receive =

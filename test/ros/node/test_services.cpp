@@ -134,10 +134,14 @@ TEST_F(Services, OthersAreServedWhileManyStepsAreTakenAndPauseEndsThem) {
   std::thread stepping([&] { EXPECT_TRUE(ros::service::call("rigid_body_node/step", call)); });
   GetState before, after;
   before.request.body = before.request.frame = after.request.body = after.request.frame = "box";
-  EXPECT_TRUE(ros::service::call("rigid_body_node/get_state", before));
+  // roscpp looks services up at the master, where the two threads may meet
+  const auto getState = [](GetState& state) {
+    return ros::service::call("rigid_body_node/get_state", state);
+  };
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return getState(before); }));
   EXPECT_TRUE(NodeDriver::waitFor([&] {
-    return ros::service::call("rigid_body_node/get_state", after) &&
-           after.response.stamp > before.response.stamp && reported > before.response.stamp;
+    return getState(after) && after.response.stamp > before.response.stamp &&
+           reported > before.response.stamp;
   }));
   driver.pause(false);
   stepping.join();
