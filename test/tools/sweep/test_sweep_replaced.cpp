@@ -143,4 +143,23 @@ TEST(SweepProgram, LeavesNothingThatWasMadeOfAnotherTable) {
   EXPECT_FALSE(isThere("sweep.svg"));
 }
 
+TEST(SweepProgram, OverwritesNoFileThatTheSceneNames) {
+  const TemporaryDirectory files;
+  const std::string robot =
+      "<robot name='r'><link name='base'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
+      "izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link></robot>";
+  files.written("run_3.yaml", robot);
+  const std::string scene = files.written(
+      "s.yaml",
+      "time_step: 0.01\nbodies: [{name: ball, urdf: {file: run_3.yaml}, position: [0, 0, 1]}]\n");
+  const std::string study =
+      files.written("study.yaml", "runs: 5\nvary: {\"bodies.ball.position[2]\": {list: [1, 2]}}\n");
+  const test::Outcome run = test::sweep(scene + " " + study + " --run 3 --out " + files.path(""));
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_NE(run.out.find("run_3.yaml and a file that the scene names are the same file"),
+            std::string::npos)
+      << run.out;
+  EXPECT_EQ(fileText(files.path("run_3.yaml")), robot);
+}
+
 }  // namespace rigid_body_sim
