@@ -30,6 +30,14 @@ bodies:
 wrenches: [{body: wheel, frame: wheel, torque: [0, 0, 1], duration: 1000}]
 )";
 
+/// What is said of a run of 10 s after its first step.
+std::string saidAtOnce(const std::string& yaml) {
+  Simulation simulation = simulationOfScene(yaml);
+  SlowRunNotice notice(10, kAtOnce);
+  simulation.step();
+  return notice.textIfDue(simulation);
+}
+
 }  // namespace
 
 TEST(SlowRunNotice, NamesTheBodyThatTurnsFastestAndHowFast) {
@@ -69,7 +77,7 @@ TEST(SlowRunNotice, NamesSubstepsAndShortSteps) {
 }
 
 TEST(SlowRunNotice, NamesTheBodyThatDragSlowsDownFastest) {
-  Simulation simulation = simulationOfScene(R"(
+  const std::string text = saidAtOnce(R"(
 time_step: 1
 gravity: [0, 0, -9.81]
 bodies:
@@ -77,24 +85,18 @@ bodies:
   - {name: leaf, shape: {sphere: {radius: 1}}, mass: 2, drag: {linear: [100, 100, 100]},
      twist: {frame: world, angular: [0, 0, 1]}, position: [5, 0, 0]}
 )");
-  SlowRunNotice notice(10, kAtOnce);
-  simulation.step();
-  const std::string text = notice.textIfDue(simulation);
   EXPECT_NE(text.find("as short as drag is strong (it slows 'leaf' down at 50/s)"),
             std::string::npos)
       << text;
 }
 
 TEST(SlowRunNotice, NamesWhatALawMakesSwingOrSlowDownFastest) {
-  Simulation simulation = simulationOfScene(R"(
+  const std::string text = saidAtOnce(R"(
 time_step: 0.01
 integrator: rk4
 bodies: [{name: a, shape: {sphere: {radius: 0.1}}, mass: 2}]
 forces: [{type: spring, from: {world: [0, 0, 1]}, to: {body: a}, stiffness: 1, damping: 2000}]
 )");
-  SlowRunNotice notice(10, kAtOnce);
-  simulation.step();
-  const std::string text = notice.textIfDue(simulation);
   EXPECT_NE(text.find("(fastest is what spring makes 'a' swing or slow down by, at 1e+03/s)"),
             std::string::npos)
       << text;

@@ -64,6 +64,14 @@ bool isOneLine(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
 }
 
+/// Runs a command that ends with that exit code and says one line, which has a part.
+void expectOneLine(const std::string& command, int exit_code, const std::string& part) {
+  const Outcome run = test::runCommand(command);
+  EXPECT_EQ(run.exit_code, exit_code) << command;
+  EXPECT_NE(run.out.find(part), std::string::npos) << command << ": " << run.out;
+  EXPECT_TRUE(isOneLine(run.out)) << command << ": " << run.out;
+}
+
 /// Starts the node, waits for its services, and sends it the signal. Returns its exit code.
 int exitCodeAfter(int signal) {
   const std::string name = freshName();
@@ -133,22 +141,13 @@ TEST(Node, RefusesArgumentsThatRoscppWouldEndItFor) {
       {"__master:=http://localhost:x", "__master must be like http://localhost:11311, got 'http:"},
       {"__tcpros_server_port:=x", "__tcpros_server_port [x] was not specified as a number"},
       {"odom:=/a.b", "a name given by := is not one of ROS"}};
-  for (const auto& [arguments, line] : cases) {
-    const Outcome run =
-        test::runCommand(RIGID_BODY_SIM_NODE " " SCENE " " + arguments + " 2>&1 >/dev/null");
-    EXPECT_EQ(run.exit_code, 2) << arguments;
-    EXPECT_NE(run.out.find(line), std::string::npos) << arguments << ": " << run.out;
-    EXPECT_TRUE(isOneLine(run.out)) << arguments << ": " << run.out;
-  }
+  for (const auto& [arguments, line] : cases)
+    expectOneLine(RIGID_BODY_SIM_NODE " " SCENE " " + arguments + " 2>&1 >/dev/null", 2, line);
 }
 
 TEST(Examples, RefuseANameThatIsNotOneOfRos) {
-  for (const char* program : {RIGID_BODY_SIM_DEMO_PUSHER, RIGID_BODY_SIM_DRONE_PILOT}) {
-    const Outcome run = test::runCommand(std::string(program) + " __name:=9bad 2>&1 >/dev/null");
-    EXPECT_EQ(run.exit_code, 2) << program;
-    EXPECT_NE(run.out.find("9bad"), std::string::npos) << run.out;
-    EXPECT_TRUE(isOneLine(run.out)) << run.out;
-  }
+  for (const char* program : {RIGID_BODY_SIM_DEMO_PUSHER, RIGID_BODY_SIM_DRONE_PILOT})
+    expectOneLine(std::string(program) + " __name:=9bad 2>&1 >/dev/null", 2, "9bad");
 }
 
 TEST(Node, SaysWhereAParameterOfAnEarlierStartIsAndHowToDeleteIt) {
@@ -164,12 +163,9 @@ TEST(Node, SaysWhereAParameterOfAnEarlierStartIsAndHowToDeleteIt) {
 }
 
 TEST(Node, SaysThatItsHelpCannotBeWritten) {
-  for (const char* program : {RIGID_BODY_SIM_NODE, RIGID_BODY_SIM_DEMO_PUSHER}) {
-    const Outcome run = test::runCommand(std::string(program) + " --help 2>&1 >/dev/full");
-    EXPECT_EQ(run.exit_code, 1) << program;
-    EXPECT_NE(run.out.find("standard output cannot be written"), std::string::npos) << run.out;
-    EXPECT_TRUE(isOneLine(run.out)) << run.out;
-  }
+  for (const char* program : {RIGID_BODY_SIM_NODE, RIGID_BODY_SIM_DEMO_PUSHER})
+    expectOneLine(std::string(program) + " --help 2>&1 >/dev/full", 1,
+                  "standard output cannot be written");
 }
 
 TEST(Node, EndsOnASignalWhileItWaitsForASceneThatNobodyWrites) {
