@@ -180,7 +180,8 @@ bool Stepper::advance(const System& system, double t, double h, SystemState& sta
 /// third of the distance is followed as well as what is smooth, and a pass takes some fifty
 /// substeps.
 double Stepper::beforeKink(const System& system, double h, const SystemState& states) const {
-  constexpr double kShare = 1.0 / 3, kOfTolerance = 1e-4, kRounding = 1e-15;
+  constexpr double kShare = 1.0 / 3, kRounding = 1e-15;
+  constexpr double kOfTolerance = 1e-4;  // so that thousands of passes stay within it
   const double negligible = std::max(kOfTolerance * tolerance_.attitude, kRounding);
   const std::vector<BodyMotion> motions = motionsOf(system, states);
   double distance = std::numeric_limits<double>::infinity();
