@@ -24,9 +24,9 @@ void Run::boundContact(const ContactTrial& trial) {
   place(*now_.start, true);
 }
 
-void Run::limitContactWork(double work) {
+void Run::limitStepWork(double work) {
   MethodPlanner& planner = grouping_.planner();
-  planner.setContactWork(std::min(planner.contactWork(), work));
+  planner.setStepWork(std::min(planner.stepWork(), work));
 }
 
 ContactTrial Run::contactTrial() const {

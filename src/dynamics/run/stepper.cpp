@@ -39,7 +39,7 @@ void Stepper::fallBackToErrorControl() {
   controlled.bound_share = choice_.bound_share;
   controlled.holds = choice_.holds;
   controlled.contact_bound = choice_.contact_bound;
-  controlled.contact_work = choice_.contact_work;
+  controlled.step_work = choice_.step_work;
   choice_ = controlled;
 }
 
@@ -221,9 +221,12 @@ bool Stepper::takeSubsteps(const System& system, double t, double h, int count, 
   const double t_end = t + h, substep = h / count;
   const StepBound of_step = workspace_.step_bound;
   bool switched = false;
+  const std::int64_t worked = work();
   constexpr int kMaxEvents = 100000;
   for (int taken = 0; t < t_end; ++taken) {
     if (taken > count + kMaxEvents) throw StepTooLong("a step holds more than 100000 events");
+    if (system.has_events && static_cast<double>(work() - worked) > choice_.step_work)
+      throw StepTooLong(tooMuchForEvents(choice_.step_work));
     const double left = t_end - t;
     // what is left by rounding goes into the last
     double length = left < 1.5 * substep && left > substep ? left : std::min(left, substep);
@@ -253,7 +256,9 @@ double Stepper::takeSubstep(const System& system, double t, double h, SystemStat
   scratch_.step_bound = workspace_.step_bound;
   // times from the start of the substep, so that rounding of the time does not limit the location
   const MotionPiece piece(system, *choice_.method, start, 0, h, scratch_);
+  const std::int64_t looked = scratch_.evaluations;
   const double event = events_.firstEvent(piece, start, states);
+  look_evaluations_ += scratch_.evaluations - looked;
   visit(system, t, event, start, meter);
   return event;
 }

@@ -38,6 +38,9 @@ class Stepper {
   /// Evaluations of all wrenches so far, those included by which events in contact were located.
   std::int64_t evaluations() const { return workspace_.evaluations; }
 
+  /// All that moved the system so far: with the evaluations by which events were located.
+  std::int64_t work() const { return evaluations() + look_evaluations_; }
+
   /// Steps so far within which a force jumped, or nearly so: see Workspace::rough_steps.
   std::int64_t roughSteps() const { return workspace_.rough_steps; }
 
@@ -136,6 +139,7 @@ class Stepper {
   bool has_kink_ = false;        // whether a law has one
   int max_substeps_ = 1;
   std::int64_t kink_substeps_ = 0;
+  std::int64_t look_evaluations_ = 0;  // by which events out of contact were located
   double magnification_ = 0;
   double stopped_at_ = 0;
   bool at_rest_ = false;

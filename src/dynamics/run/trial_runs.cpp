@@ -9,6 +9,17 @@
 #include "dynamics/run/position_rounding.hpp"
 
 namespace rigid_body_sim {
+namespace {
+
+/// Of a step that ends at events, three times what it takes to look for them: a motion that meets
+/// ever more of them, such as one that spirals into the centre of a force, is not tried to its end,
+/// which may take minutes.
+double stepWork(int substeps) {
+  constexpr double kLeast = 3e5, kOfSubstep = 300;
+  return kLeast + kOfSubstep * substeps;
+}
+
+}  // namespace
 
 TrialRuns::TrialRuns(const World& world, const LawTable& laws, const CoupledBodies& group,
                      const TrialStart& start, double max_body_steps)
@@ -56,6 +67,7 @@ std::optional<TrialRun> TrialRuns::runBySteps(const Method& method, int substeps
                                               int stride) const {
   MethodChoice choice{&method, substeps};
   choice.max_turn_share = stride;
+  choice.step_work = stepWork(substeps);
   std::vector<WrenchSchedule> schedules = start_.schedules;
   Group group = groupUnder(choice);
   TrialRun run;
