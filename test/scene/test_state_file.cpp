@@ -189,6 +189,21 @@ TEST(StateFile, TakesThePlaceOfAnotherOnlyOnceItIsWritten) {
   EXPECT_THROW(requireSavable(directory.path("none/a.state")), SceneError);
 }
 
+TEST(StateFile, IsWrittenThroughNothingAtThePlaceOfTheUnfinishedOne) {
+  const TemporaryDirectory directory;
+  const Simulation sim = savedRun();
+  const std::string path = directory.path("a.state"), other = directory.written("other", "kept");
+  std::filesystem::create_symlink(other, path + ".unfinished");
+  requireSavable(path);
+  std::filesystem::create_symlink(other, path + ".unfinished");
+  saveState(path, sim.world(), sim.state());
+  EXPECT_FALSE(std::filesystem::is_symlink(path));
+  test::expectSameState(loadState(path, sim.world()), sim.state());
+  std::string kept;
+  std::ifstream(other) >> kept;
+  EXPECT_EQ(kept, "kept");
+}
+
 TEST(StateFile, NeitherTakesThePlaceOfADeviceNorOfALink) {
   namespace fs = std::filesystem;
   const TemporaryDirectory directory;

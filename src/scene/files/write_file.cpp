@@ -35,9 +35,11 @@ std::error_code writeThrough(const std::string& path, const std::string& text) {
   return {errno == 0 ? EIO : errno, std::generic_category()};
 }
 
+/// A link or a pipe there, which would be written through, is replaced, too.
 std::error_code writeBeside(const std::string& target, const std::string& text) {
-  const std::error_code fault = writeThrough(unfinished(target), text);
-  std::error_code is_gone;
+  std::error_code fault, is_gone;
+  fs::remove(unfinished(target), fault);
+  if (!fault) fault = writeThrough(unfinished(target), text);
   if (fault) fs::remove(unfinished(target), is_gone);
   return fault;
 }
