@@ -26,11 +26,11 @@ std::string gnuplotIsMissing(const std::string& there) {
   return "gnuplot is not installed: " + there + ", the plot is not (apt install gnuplot-nox)";
 }
 
-std::string pictureDirectory(const std::string& option, const std::string& path) {
-  if (path.empty()) throw UsageError("--" + option + ": must be a path, got an empty one");
+std::string pictureDirectory(const std::string& what, const std::string& path) {
+  if (path.empty()) throw UsageError(what + ": must be a path, got an empty one");
   if (oneLine(path) != path)
-    throw UsageError("--" + option + ": must be a path without control characters, got '" +
-                     printable(path) + "'");
+    throw UsageError(what + ": must be a path without control characters, got '" + printable(path) +
+                     "'");
   return path;
 }
 

@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   return runProgram("plot", [&] {
     PlotJob job;
     const OptionActions actions{
-        {"out", [&](const char* s) { job.out = pictureDirectory("out", s); }},
+        {"out", [&](const char* s) { job.out = pictureDirectory("--out", s); }},
         {"bodies", [&](const char* s) { job.bodies = namesIn(s); }}};
     const auto files =
         readCommandLine(argc, argv, actions, "at least one file is", kAtLeastOne, {});

@@ -38,7 +38,7 @@ SimulateOptions parseSimulateOptions(int argc, char** argv) {
       textInto(options.csv, "csv"),
       textInto(options.imu_csv, "imu-csv"),
       textInto(options.bag, "bag"),
-      {"plot", [&](const char* s) { options.plot = pictureDirectory("plot", s); }},
+      {"plot", [&](const char* s) { options.plot = pictureDirectory("--plot", s); }},
       textInto(options.wrench_bag, "wrench-bag"),
       textInto(options.save, "save"),
       textInto(options.load, "load")};

@@ -24,12 +24,13 @@ int usualThreads() {
 SweepOptions parseMerge(int argc, char** argv) {
   SweepOptions options;
   const OptionActions actions{
-      {"out", [&](const char* s) { options.out = pictureDirectory("out", s); }}};
+      {"out", [&](const char* s) { options.out = pictureDirectory("--out", s); }}};
   const auto directories =
       readCommandLine(argc, argv, actions, "at least one directory is", kAtLeastOne, {});
   options.help = !directories;
   options.merge = directories.value_or(std::vector<std::string>());
-  for (const std::string& directory : options.merge) pictureDirectory("out", directory);
+  for (const std::string& directory : options.merge)
+    pictureDirectory("a directory to merge", directory);
   return options;
 }
 
@@ -54,7 +55,7 @@ SweepOptions parseSweepOptions(int argc, char** argv, const Environment& environ
       {"threads",
        [&](const char* s) { options.threads = int(wholeNumber("threads", s, 1, kMaxThreads)); }},
       {"shard", [&](const char* s) { shard = parseShard(s); }},
-      {"out", [&](const char* s) { options.out = pictureDirectory("out", s); }}};
+      {"out", [&](const char* s) { options.out = pictureDirectory("--out", s); }}};
   const auto files = readCommandLine(argc, argv, actions, "a scene file and a study file are", 2,
                                      {{"resume", &options.resume}});
   options.help = !files;

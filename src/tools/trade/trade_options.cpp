@@ -10,7 +10,7 @@ TradeOptions parseTradeOptions(int argc, char** argv) {
   const OptionActions actions{
       numberInto(options.duration, "duration"),
       numberInto(options.error_budget, "error-budget"),
-      {"out", [&](const char* s) { options.out = pictureDirectory("out", s); }}};
+      {"out", [&](const char* s) { options.out = pictureDirectory("--out", s); }}};
   const auto scene =
       readCommandLine(argc, argv, actions, "scene file", {{"write", &options.write}});
   options.help = !scene;
