@@ -25,7 +25,9 @@ std::optional<Identity> identityOf(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) == 0) return identityOf(status);
   std::error_code fault;  // whoever opens the file will name it
-  const std::filesystem::path full = std::filesystem::weakly_canonical(path, fault);
+  namespace fs = std::filesystem;
+  // a relative path of which no part exists would stay relative
+  const fs::path full = fs::weakly_canonical(fs::absolute(path, fault), fault);
   return fault ? std::nullopt : std::optional(Identity(0, 0, full.string()));
 }
 

@@ -103,7 +103,8 @@ TEST_F(SimulateBags, OneFileForTwoPurposesIsRefusedAndLeftAsItIs) {
   const std::string fresh = path("fresh"), detour = directory.path("./fresh");
   for (const std::string& arguments :
        {" --csv " + fresh + " --bag " + fresh, " --csv " + fresh + " --bag " + detour,
-        " --csv " + path("link"), " --bag " + scene_file, " --wrench-bag " + bag + " --bag " + bag,
+        std::string(" --csv no_file_yet --bag ./no_file_yet"), " --csv " + path("link"),
+        " --bag " + scene_file, " --wrench-bag " + bag + " --bag " + bag,
         " --wrench-bag " + bag + " --csv " + path("hard.bag"), " --csv " + path("said")}) {
     EXPECT_EQ(simulate(scene_file + arguments), 2) << arguments;
     EXPECT_NE(said.find(" are the same file, "), std::string::npos) << said;

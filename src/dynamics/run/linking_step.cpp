@@ -21,7 +21,7 @@ void LinkingStep::advance() {
   begin();
   constexpr int kMaxLinks = 100000;
   const double done = run_.groups.work();
-  const double most = grouping_.planner().stepWork();
+  const double most = grouping_.planner().contactWork();
   for (int links = 0; advanceToNext(); ++links) {
     // each looks at every group
     const double looks = static_cast<double>(links) * static_cast<double>(run_.groups.size());

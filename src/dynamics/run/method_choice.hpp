@@ -22,8 +22,8 @@ struct MethodChoice {
   double bound_share = 1;     ///< of what stepBound allows the estimate of a step to be
   double contact_bound = 0;   ///< what the error estimate of a step in contact may reach; 0: as
                               ///< contactStepBound says
-  double step_work = kMaxStepWork;  ///< see maxStepWork
-  bool read_once = false;           ///< of a solved motion: see SolvedProblem
+  double contact_work = kMaxContactWork;  ///< see maxContactWork
+  bool read_once = false;                 ///< of a solved motion: see SolvedProblem
 };
 
 /// How a run differs that is compared with another.
