@@ -189,19 +189,25 @@ TEST(StateFile, TakesThePlaceOfAnotherOnlyOnceItIsWritten) {
   EXPECT_THROW(requireSavable(directory.path("none/a.state")), SceneError);
 }
 
-TEST(StateFile, IsWrittenThroughNothingAtThePlaceOfTheUnfinishedOne) {
+TEST(StateFile, LeavesWhatLiesAtThePlaceOfTheUnfinishedOne) {
   const TemporaryDirectory directory;
   const Simulation sim = savedRun();
-  const std::string path = directory.path("a.state"), other = directory.written("other", "kept");
-  std::filesystem::create_symlink(other, path + ".unfinished");
-  requireSavable(path);
-  std::filesystem::create_symlink(other, path + ".unfinished");
-  saveState(path, sim.world(), sim.state());
-  EXPECT_FALSE(std::filesystem::is_symlink(path));
-  test::expectSameState(loadState(path, sim.world()), sim.state());
-  std::string kept;
-  std::ifstream(other) >> kept;
-  EXPECT_EQ(kept, "kept");
+  const std::string linked = directory.path("a.state"), beside = directory.path("b.state"),
+                    other = directory.written("other", "kept"),
+                    unfinished = directory.written("b.state.unfinished", "kept");
+  std::filesystem::create_symlink(other, linked + ".unfinished");
+  for (const std::string& path : {linked, beside}) {
+    requireSavable(path);
+    saveState(path, sim.world(), sim.state());
+    EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(path)));
+    test::expectSameState(loadState(path, sim.world()), sim.state());
+  }
+  for (const std::string& path : {other, unfinished}) {
+    std::string kept;
+    std::ifstream(path) >> kept;
+    EXPECT_EQ(kept, "kept");
+  }
+  EXPECT_FALSE(std::filesystem::exists(unfinished + ".1"));
 }
 
 TEST(StateFile, NeitherTakesThePlaceOfADeviceNorOfALink) {

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 namespace rigid_body_sim {
 namespace {
@@ -23,8 +24,16 @@ std::string targetOf(const std::string& path) {
   return fault ? path : target;
 }
 
-/// In the same directory, so that it can take the place of the file at once.
-std::string unfinished(const std::string& target) { return target + ".unfinished"; }
+/// In the same directory, so that it can take the place of the file at once. Nothing lies there
+/// yet, nor leads a link from there.
+std::string unfinished(const std::string& target) {
+  const std::string usual = target + ".unfinished";
+  std::string path = usual;
+  std::error_code none;
+  for (int k = 1; fs::exists(fs::symlink_status(path, none)); ++k)
+    path = usual + "." + std::to_string(k);
+  return path;
+}
 
 std::error_code writeThrough(const std::string& path, const std::string& text) {
   errno = 0;
@@ -35,12 +44,11 @@ std::error_code writeThrough(const std::string& path, const std::string& text) {
   return {errno == 0 ? EIO : errno, std::generic_category()};
 }
 
-/// A link or a pipe there, which would be written through, is replaced, too.
-std::error_code writeBeside(const std::string& target, const std::string& text) {
-  std::error_code fault, is_gone;
-  fs::remove(unfinished(target), fault);
-  if (!fault) fault = writeThrough(unfinished(target), text);
-  if (fault) fs::remove(unfinished(target), is_gone);
+/// Nothing is left of what cannot be written whole.
+std::error_code writeWhole(const std::string& path, const std::string& text) {
+  const std::error_code fault = writeThrough(path, text);
+  std::error_code is_gone;
+  if (fault) fs::remove(path, is_gone);
   return fault;
 }
 
@@ -48,19 +56,19 @@ std::error_code writeBeside(const std::string& target, const std::string& text) 
 
 std::error_code writeFile(const std::string& path, const std::string& text) {
   if (isWrittenThrough(path)) return writeThrough(path, text);
-  const std::string target = targetOf(path);
-  std::error_code fault = writeBeside(target, text), is_gone;
+  const std::string target = targetOf(path), beside = unfinished(target);
+  std::error_code fault = writeWhole(beside, text), is_gone;
   if (fault) return fault;
-  fs::rename(unfinished(target), target, fault);
-  if (fault) fs::remove(unfinished(target), is_gone);
+  fs::rename(beside, target, fault);
+  if (fault) fs::remove(beside, is_gone);
   return fault;
 }
 
 std::error_code writeFault(const std::string& path) {
   if (isWrittenThrough(path)) return {};
-  const std::string target = targetOf(path);
-  std::error_code fault = writeBeside(target, "");
-  if (!fault) fs::remove(unfinished(target), fault);
+  const std::string beside = unfinished(targetOf(path));
+  std::error_code fault = writeWhole(beside, "");
+  if (!fault) fs::remove(beside, fault);
   return fault;
 }
 
