@@ -130,7 +130,10 @@ std::string shortfall(const World& world, const MotionPlan& plan) {
   if (plan.bodies.size() > 1) text << " and " << plan.bodies.size() - 1 << " with it";
   text << ": no integrator was found to hold tolerance " << world.solver.tolerance << " over "
        << world.solver.horizon << " s at this time step; ";
-  if (std::isfinite(plan.error))
+  constexpr double kAllowed = 0.5;  // less than that is lost for rounding alone
+  if (plan.error <= kAllowed)
+    text << "rounding alone makes " << plan.error << " times that, where a trial allows a quarter";
+  else if (std::isfinite(plan.error))
     text << "the least error found was " << plan.error
          << " times that, where a trial allows half, and a quarter of rounding";
   else
