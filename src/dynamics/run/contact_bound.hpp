@@ -14,24 +14,18 @@ constexpr double kTightestInContact = 1e-12;
 /// attitudes are rounding there. Energy gains from a tighter one, which a tolerance may ask for.
 constexpr double kLeastContactBound = 1e-14;
 
-/// Evaluations of all forces on a body that a time step may take in contact, or of all forces on
-/// all bodies where it ends at events: a thousand times what stiff contact takes, and minutes at
-/// most.
-constexpr double kMaxStepWork = 3e8;
-inline double maxStepWork(double time_step) {
+/// Evaluations of all forces on a body that a time step may take in contact: a thousand times what
+/// stiff contact takes, and minutes at most.
+constexpr double kMaxContactWork = 3e8;
+inline double maxContactWork(double time_step) {
   constexpr double kPerSecond = 1e9, kLeast = 1e7;
-  return std::clamp(kPerSecond * time_step, kLeast, kMaxStepWork);
+  return std::clamp(kPerSecond * time_step, kLeast, kMaxContactWork);
 }
 
 /// What is said of a step that would take more.
 inline std::string tooMuchContact(double work) {
   return "a step in contact takes more than " + shortest(work) +
          " evaluations of the forces on a body: take a shorter time_step, or a lower stiffness";
-}
-
-inline std::string tooMuchForEvents(double work) {
-  return "to end at its events, a step takes more than " + shortest(work) +
-         " evaluations of the forces: take a shorter time_step";
 }
 
 /// By how much looser that bound is in the run that estimates the error.

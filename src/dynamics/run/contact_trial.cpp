@@ -164,7 +164,7 @@ ContactTrial tryContact(const Run& run) {
   ContactTrial next = found;
   for (double work = 0; work < kMaxTrialWork;) {
     Run tried = run;
-    tried.limitStepWork(kMaxTrialWork - work);
+    tried.limitContactWork(kMaxTrialWork - work);
     tried.boundContact(next);
     const ContactTrial trial = follow(std::move(tried), work);
     if (trial.regroups && !next.regroups) {

@@ -23,6 +23,8 @@ struct MethodChoice {
   double contact_bound = 0;   ///< what the error estimate of a step in contact may reach; 0: as
                               ///< contactStepBound says
   double contact_work = kMaxContactWork;  ///< see maxContactWork
+  double event_work = 1e7;                ///< evaluations of all forces that a step may take, with
+                                          ///< those by which its events out of contact are located
   bool read_once = false;                 ///< of a solved motion: see SolvedProblem
 };
 

@@ -47,7 +47,7 @@ MethodPlanner::MethodPlanner(const World& world)
       watched_(watchedBodies(world)),
       tolerance_(world.solver.tolerance) {
   bounds_.contact_bound = contactStepBound(tolerance_);
-  bounds_.step_work = maxStepWork(world.solver.time_step);
+  bounds_.contact_work = maxContactWork(world.solver.time_step);
 }
 
 void MethodPlanner::change(const Beside& beside) {
@@ -70,7 +70,7 @@ MethodChoice MethodPlanner::bounded(MethodChoice choice) const {
   choice.max_turn_share = bounds_.max_turn_share;
   choice.bound_share = bounds_.bound_share;
   choice.contact_bound = bounds_.contact_bound;
-  choice.step_work = bounds_.step_work;
+  choice.contact_work = bounds_.contact_work;
   choice.holds |= choice.by_estimates && whole_run_tried_;
   if (choice.by_estimates) choice.substeps = std::max(choice.substeps, least_substeps_);
   return choice;

@@ -42,9 +42,9 @@ class MethodPlanner {
   /// What bodies that go by error estimates hold is what the trial of the whole run says.
   void setTrial(const ContactTrial& trial);
 
-  /// See maxStepWork.
-  double stepWork() const { return bounds_.step_work; }
-  void setStepWork(double work) { bounds_.step_work = work; }
+  /// See maxContactWork.
+  double contactWork() const { return bounds_.contact_work; }
+  void setContactWork(double work) { bounds_.contact_work = work; }
 
   /// Throws std::invalid_argument, naming the body, where the integrator does not support what the
   /// group needs.

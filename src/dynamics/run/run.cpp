@@ -24,9 +24,9 @@ void Run::boundContact(const ContactTrial& trial) {
   place(*now_.start, true);
 }
 
-void Run::limitStepWork(double work) {
+void Run::limitContactWork(double work) {
   MethodPlanner& planner = grouping_.planner();
-  planner.setStepWork(std::min(planner.stepWork(), work));
+  planner.setContactWork(std::min(planner.contactWork(), work));
 }
 
 ContactTrial Run::contactTrial() const {

@@ -36,8 +36,8 @@ class Run {
   /// Begins anew at the start, with steps in contact bounded so.
   void boundContact(const ContactTrial& trial);
 
-  /// Lets a time step take no more work in contact than this; see maxStepWork.
-  void limitStepWork(double work);
+  /// Lets a time step take no more work in contact than this; see maxContactWork.
+  void limitContactWork(double work);
 
   /// That trial; after load(), the bound of the state that was loaded.
   ContactTrial contactTrial() const;

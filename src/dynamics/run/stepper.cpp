@@ -8,11 +8,19 @@
 #include "dynamics/methods/accelerations.hpp"
 #include "dynamics/rotation/free_motion.hpp"
 #include "dynamics/run/contact_bound.hpp"
+#include "math/shortest.hpp"
 
 namespace rigid_body_sim {
 namespace {
 
 constexpr double kLeastError = 1e-14;  // some ten roundings of a step that turns by a radian
+
+std::string tooMuchForEvents(double work) {
+  return "to end at its events, a step takes more than " + shortest(work) +
+         " evaluations of the forces: what meets ever more of them, such as a body that drag "
+         "brings "
+         "into the centre of a force, cannot be followed; else take a shorter time_step";
+}
 
 }  // namespace
 
@@ -39,7 +47,7 @@ void Stepper::fallBackToErrorControl() {
   controlled.bound_share = choice_.bound_share;
   controlled.holds = choice_.holds;
   controlled.contact_bound = choice_.contact_bound;
-  controlled.step_work = choice_.step_work;
+  controlled.contact_work = choice_.contact_work;
   choice_ = controlled;
 }
 
@@ -225,8 +233,8 @@ bool Stepper::takeSubsteps(const System& system, double t, double h, int count, 
   constexpr int kMaxEvents = 100000;
   for (int taken = 0; t < t_end; ++taken) {
     if (taken > count + kMaxEvents) throw StepTooLong("a step holds more than 100000 events");
-    if (system.has_events && static_cast<double>(work() - worked) > choice_.step_work)
-      throw StepTooLong(tooMuchForEvents(choice_.step_work));
+    if (system.has_events && static_cast<double>(work() - worked) > choice_.event_work)
+      throw StepTooLong(tooMuchForEvents(choice_.event_work));
     const double left = t_end - t;
     // what is left by rounding goes into the last
     double length = left < 1.5 * substep && left > substep ? left : std::min(left, substep);

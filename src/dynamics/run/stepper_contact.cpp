@@ -126,8 +126,8 @@ bool Stepper::advanceInContact(const System& system, double t, double h, SystemS
   if (!(h * law_rate_ <= kMaxSubsteps * choice_.method->max_turn))
     failTooFast(system, h, states, "1e6 substeps in contact");
   while (done < h) {
-    if (static_cast<double>(evaluations() - evaluated) * bodies > choice_.step_work)
-      throw StepTooLong(tooMuchContact(choice_.step_work));
+    if (static_cast<double>(evaluations() - evaluated) * bodies > choice_.contact_work)
+      throw StepTooLong(tooMuchContact(choice_.contact_work));
     const double left = h - done;
     const double stable = stableStep(system, h, states);
     if (next < 0) next = shareToBegin() * stable;

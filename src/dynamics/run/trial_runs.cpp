@@ -14,7 +14,7 @@ namespace {
 /// Of a step that ends at events, three times what it takes to look for them: a motion that meets
 /// ever more of them, such as one that spirals into the centre of a force, is not tried to its end,
 /// which may take minutes.
-double stepWork(int substeps) {
+double eventWork(int substeps) {
   constexpr double kLeast = 3e5, kOfSubstep = 300;
   return kLeast + kOfSubstep * substeps;
 }
@@ -67,7 +67,7 @@ std::optional<TrialRun> TrialRuns::runBySteps(const Method& method, int substeps
                                               int stride) const {
   MethodChoice choice{&method, substeps};
   choice.max_turn_share = stride;
-  choice.step_work = stepWork(substeps);
+  choice.event_work = eventWork(substeps);
   std::vector<WrenchSchedule> schedules = start_.schedules;
   Group group = groupUnder(choice);
   TrialRun run;
