@@ -18,8 +18,7 @@ constexpr double kLeastError = 1e-14;  // some ten roundings of a step that turn
 std::string tooMuchForEvents(double work) {
   return "to end at its events, a step takes more than " + shortest(work) +
          " evaluations of the forces: what meets ever more of them, such as a body that drag "
-         "brings "
-         "into the centre of a force, cannot be followed; else take a shorter time_step";
+         "brings into the centre of a force, cannot be followed; else take a shorter time_step";
 }
 
 }  // namespace
