@@ -256,6 +256,8 @@ TEST(SweepProgram, ExitsWithTwoForWrongUsage) {
   EXPECT_EQ(sweep("a.yaml b.yaml", "SLURM_ARRAY_TASK_ID=3").exit_code, 2);
   EXPECT_EQ(sweep("a.yaml b.yaml --out \'\'").out,
             "sweep: --out: must be a path, got an empty one (sweep --help)\n");
+  EXPECT_EQ(sweep("merge \'\'").out,
+            "sweep: a directory to merge: must be a path, got an empty one (sweep --help)\n");
 }
 
 }  // namespace rigid_body_sim
