@@ -130,7 +130,7 @@ std::string shortfall(const World& world, const MotionPlan& plan) {
   if (plan.bodies.size() > 1) text << " and " << plan.bodies.size() - 1 << " with it";
   text << ": no integrator was found to hold tolerance " << world.solver.tolerance << " over "
        << world.solver.horizon << " s at this time step; ";
-  constexpr double kAllowed = 0.5;  // less than that is lost for rounding alone
+  constexpr double kAllowed = 0.5;  // of error: with less, it is rounding that takes too much
   if (plan.error <= kAllowed)
     text << "rounding alone makes " << plan.error << " times that, where a trial allows a quarter";
   else if (std::isfinite(plan.error))

@@ -150,6 +150,22 @@ TEST(DescribeSolution, OwnsUpWhereNothingHoldsTheTolerance) {
       << lines[2];
 }
 
+// Half of the tolerance may be error; what is lost with less is lost for rounding.
+TEST(DescribeSolution, SaysWhetherErrorOrRoundingTakesTheTolerance) {
+  Bench bench = test::springPair(1);
+  bench.world.solver.integrator = "auto";
+  State state = bench.simulation("auto", 0.5).state();
+  ASSERT_EQ(state.plans.size(), 1U);
+  state.plans[0].holds = false;
+  const auto lineAt = [&](double error) {
+    state.plans[0].error = error;
+    return describeSolution(Simulation(bench.world, state)).back();
+  };
+  EXPECT_NE(lineAt(0.3).find("; rounding alone makes 0.3 times that, where"), std::string::npos);
+  EXPECT_NE(lineAt(0.7).find("; the least error found was 0.7 times that, where"),
+            std::string::npos);
+}
+
 TEST(DescribeSubsteps, SaysHowFarStepsWereDivided) {
   Simulation slow = freeBody({1, 2, 3}).simulation("strang", 0.01);
   slow.step();
