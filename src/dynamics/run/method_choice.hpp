@@ -24,7 +24,8 @@ struct MethodChoice {
                               ///< contactStepBound says
   double contact_work = kMaxContactWork;  ///< see maxContactWork
   double event_work = 1e7;                ///< evaluations of all forces that a step may take, with
-                                          ///< those by which its events out of contact are located
+                                          ///< those by which its events out of contact are located:
+                                          ///< ten thousand events, seconds of one body
   bool read_once = false;                 ///< of a solved motion: see SolvedProblem
 };
 

@@ -38,7 +38,7 @@ class Stepper {
   /// Evaluations of all wrenches so far, those included by which events in contact were located.
   std::int64_t evaluations() const { return workspace_.evaluations; }
 
-  /// All that moved the system so far: with the evaluations by which events were located.
+  /// Evaluations of all wrenches so far, those included by which any events were located.
   std::int64_t work() const { return evaluations() + look_evaluations_; }
 
   /// Steps so far within which a force jumped, or nearly so: see Workspace::rough_steps.
