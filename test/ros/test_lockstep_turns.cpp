@@ -114,6 +114,23 @@ TEST_F(LockstepTurns, AreWaitedForNoLongerThanTheTimeout) {
   }
 }
 
+// whoever answers the state at hand does not end the wait then, and must be told why
+TEST_F(LockstepTurns, SayWhatAMessageFarAheadHasMadeOfTheNext) {
+  lockstep.begin(ros::Time(1), now);
+  EXPECT_EQ(lockstep.missing(), "a message on /a stamped 1.000000000 or later");
+  comes("/a", 1.5, 1);
+  comes("/b", 1e9, 1);
+  EXPECT_EQ(takenAt(1), "/a1 /b1 ");
+  lockstep.begin(ros::Time(1.25), now);
+  EXPECT_EQ(lockstep.missing(),
+            "a message on /a stamped later than 1.500000000, which the last one taken was stamped");
+  comes("/a", 1.75, 2);
+  comes("/b", 1.25, 2);
+  EXPECT_EQ(lockstep.missing(),
+            "a message on /b stamped later than 1000000000.000000000, which the last one taken was "
+            "stamped, 1e+09 s ahead of simulation time (of another clock?),");
+}
+
 TEST_F(LockstepTurns, AreAtMultiplesOfThePeriod) {
   EXPECT_TRUE(lockstep.isDueAt(0));
   EXPECT_FALSE(lockstep.isDueAt(1));

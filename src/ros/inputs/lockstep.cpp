@@ -8,6 +8,7 @@
 
 #include <ros/console.h>
 #include <ros/names.h>
+#include <ros/this_node.h>
 #include <ros/topic_manager.h>
 
 #include "math/shortest.hpp"
@@ -38,7 +39,19 @@ bool Lockstep::take(const std::string& topic) {
   return false;
 }
 
+void Lockstep::refuseOwn() const {
+  std::vector<std::string> own;
+  ros::this_node::getAdvertisedTopics(own);
+  for (const Topic& topic : topics_)
+    if (std::find(own.begin(), own.end(), topic.name) != own.end())
+      throw ParameterError(
+          "parameter ~lockstep: must name topics of others, such as a controller's, " +
+              std::string("but this node itself publishes ") + topic.name,
+          {"lockstep"});
+}
+
 void Lockstep::watchOthers(ros::NodeHandle nh) {
+  refuseOwn();
   constexpr std::uint32_t kQueue = 1000;
   for (Topic& topic : topics_) {
     if (topic.is_taken) continue;
@@ -136,10 +149,18 @@ void Lockstep::takeAll() {
 }
 
 std::string Lockstep::missing() const {
-  const Topic* topic = firstMissing();
+  const Topic* late = firstMissing();
+  const Topic& topic = late ? *late : topics_.front();
   std::ostringstream text;
-  text << "a message on " << (topic ? topic->name : topics_.front().name) << " stamped " << *state_
-       << " or later";
+  text << "a message on " << topic.name << " stamped ";
+  if (topic.last_end < *state_) {  // also where there was none
+    text << *state_ << " or later";
+  } else {
+    constexpr double kFar = 3600;  // [s]
+    const double ahead = (*topic.last_end - *state_).toSec();
+    text << "later than " << *topic.last_end << ", which the last one taken was stamped";
+    if (ahead > kFar) text << ", " << ahead << " s ahead of simulation time (of another clock?),";
+  }
   return text.str();
 }
 

@@ -33,6 +33,7 @@ class Lockstep {
   bool take(const std::string& topic);
 
   /// Subscribes to those of the topics that nobody has taken: of them the stamps count alone.
+  /// Throws ParameterError for a topic that this node publishes: it would answer itself, or never.
   void watchOthers(ros::NodeHandle nh);
 
   template <class Message>
@@ -81,7 +82,7 @@ class Lockstep {
   /// How long a caller of ~step may be expected to wait.
   std::chrono::milliseconds patience() const;
 
-  /// What is waited for: "a message on /pilot/command stamped 0.02 or later".
+  /// What is waited for: "a message on /pilot/command stamped 0.02 or later". Only while it waits.
   std::string missing() const;
 
  private:
@@ -108,6 +109,7 @@ class Lockstep {
   }
   std::deque<Held>::const_iterator endOfWait(const Topic& topic) const;
   const Topic* firstMissing() const;
+  void refuseOwn() const;
 
   std::vector<Topic> topics_;
   std::int64_t every_ = 1;          // steps

@@ -85,7 +85,8 @@ class SimulationNode {
   std::chrono::steady_clock::time_point next_repeat_;  // while time stands
   Refusals refusals_;
   bool paused_;
-  std::string divergence_;  // after which the simulation waits, paused, for a reset; empty: none
+  bool is_stepping_ = false;  // a ~step is under way
+  std::string divergence_;    // after which the simulation waits, paused, for a reset; empty: none
 
   NodeQueues queues_;
   Timekeeper time_;

@@ -28,11 +28,14 @@ bool SimulationNode::pause(std_srvs::SetBool::Request& request,
   outputs_.setStanding(paused_ || lockstep_.isWaiting());
   response.success = true;
   response.message = paused_ ? "paused" : "running";
+  if (paused_ && is_stepping_)
+    response.message += ", but the ~step under way goes on: false ends it";
   return true;
 }
 
 bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response) {
   std::uint32_t taken = 0;
+  is_stepping_ = true;
   SteadyClock::time_point serve_next = SteadyClock::now() + kServicePeriod;
   if (!paused_) response.message = stepFault();
   try {
@@ -55,6 +58,7 @@ bool SimulationNode::stepPaused(Step::Request& request, Step::Response& response
   } catch (const BeyondRosTime& error) {
     response.message = error.what();
   }
+  is_stepping_ = false;
   response.success = response.message.empty();
   if (!response.success && taken > 0)
     response.message +=

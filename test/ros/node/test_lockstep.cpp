@@ -244,4 +244,34 @@ TEST(Lockstep, EndsWithOneLineThatNamesTheTopicOfADeadController) {
             "time_step 0.01 s, got 0.015\n");
 }
 
+TEST(Lockstep, DoesNotTakeANodeForItsOwnController) {
+  const test::Outcome own = test::runCommand(
+      RIGID_BODY_SIM_NODE " __name:=own _scene_file:=" RIGID_BODY_SIM_MOTORS_SCENE
+                          " _lockstep:=ship/odom _lockstep_period:=0.02 2>&1 >/dev/null");
+  EXPECT_EQ(own.exit_code, 1);
+  EXPECT_EQ(own.out,
+            "rigid_body_node: parameter ~lockstep: must name topics of others, such as a "
+            "controller's, but this node itself publishes /ship/odom\n");
+}
+
+// "paused" alone would say that time stands
+TEST(Lockstep, SaysOfAPauseThatAStepGoesOn) {
+  ASSERT_TRUE(ros::service::waitForService("/alone/node/step", 20000));
+  std::string answer;
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries && answer.size() < 10; ++i) {
+    EXPECT_TRUE(setPaused("/alone/node", true));
+    std::thread step([&] { takeSteps("/alone/node", 1); });
+    EXPECT_EQ(setFactor("/alone/node", 1), "");  // a moment, for the step to be the first
+    std_srvs::SetBool pause;
+    pause.request.data = 1;
+    EXPECT_TRUE(ros::service::call("/alone/node/pause", pause));
+    answer = pause.response.message;
+    EXPECT_TRUE(setPaused("/alone/node", false));
+    step.join();
+  }
+  EXPECT_EQ(answer, "paused, but the ~step under way goes on: false ends it");
+  EXPECT_TRUE(setPaused("/alone/node", true));
+}
+
 }  // namespace rigid_body_sim
