@@ -5,18 +5,6 @@
 #include <ros/console.h>
 
 namespace rigid_body_sim {
-namespace {
-
-/// A stamp of wall time lies ahead of a simulation that was paused. wait: [s]
-void warnOfWait(double wait, const std::string& what) {
-  constexpr double kLong = 1;  // [s]
-  if (wait > kLong)
-    ROS_WARN_THROTTLE(1, "%s is stamped %.3g s ahead of simulation time: it waits until then",
-                      what.c_str(), wait);
-}
-
-}  // namespace
-
 CommandInterfaces::CommandInterfaces(const ros::NodeHandle& nh, const InputContext& context,
                                      const NodeOptions& options)
     : nh_(nh), context_(context), intake_(context.simulation.world(), options.command_timeout) {
@@ -30,6 +18,14 @@ void CommandInterfaces::add(std::size_t body) {
   using Message = sensor_msgs::JointState;
   topics_[added.name] = context_.subscribe<Message>(
       nh_, added.name + "/command", [this, body](const Message& message) { take(body, message); });
+}
+
+/// A stamp of wall time lies ahead of a simulation that was paused. wait: [s]
+void CommandInterfaces::warnOfWait(double wait, const std::string& what) {
+  constexpr double kLong = 1;  // [s]
+  if (wait > kLong && warning_.isDue())
+    ROS_WARN("%s is stamped %.3g s ahead of simulation time: it waits until then", what.c_str(),
+             wait);
 }
 
 void CommandInterfaces::take(std::size_t body, const sensor_msgs::JointState& message) {

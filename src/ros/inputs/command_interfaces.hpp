@@ -7,6 +7,7 @@
 
 #include "ros/inputs/command_intake.hpp"
 #include "ros/inputs/input_context.hpp"
+#include "ros/inputs/seldom.hpp"
 #include "ros/options/node_options.hpp"
 
 namespace rigid_body_sim {
@@ -24,10 +25,12 @@ class CommandInterfaces {
 
  private:
   void take(std::size_t body, const sensor_msgs::JointState& message);
+  void warnOfWait(double wait, const std::string& what);
 
   ros::NodeHandle nh_;
   InputContext context_;
   CommandIntake intake_;
+  Seldom warning_;
   std::map<std::string, ros::Subscriber> topics_;  // by body
 };
 

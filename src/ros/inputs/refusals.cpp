@@ -6,9 +6,7 @@ namespace rigid_body_sim {
 
 void Refusals::add(const char* what, const std::string& reason) {
   ++count_;
-  const auto now = std::chrono::steady_clock::now();
-  if (now < next_warning_) return;
-  next_warning_ = now + std::chrono::seconds(1);
+  if (!warning_.isDue()) return;
   ROS_WARN("%s refused (%lld so far): %s", what, static_cast<long long>(count_), reason.c_str());
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <string>
+
+#include "ros/inputs/seldom.hpp"
 
 namespace rigid_body_sim {
 
@@ -21,7 +22,7 @@ class Refusals {
 
  private:
   std::int64_t count_ = 0;
-  std::chrono::steady_clock::time_point next_warning_;
+  Seldom warning_;
 };
 
 }  // namespace rigid_body_sim

@@ -10,6 +10,7 @@
 #include <ros/ros.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/JointState.h>
 #include <sys/wait.h>
 
@@ -120,6 +121,20 @@ class Commands : public ::testing::Test {
 };
 
 }  // namespace
+
+// time stands, and is near zero: only the clock on the wall tells when to warn again
+TEST_F(Commands, AreWarnedOfWhereTimeStandsBeforeTheirStamp) {
+  std::string told;
+  const ros::Subscriber log = nh.subscribe<rosgraph_msgs::Log>("/rosout", 1000, [&](auto& message) {
+    if (message->msg.find("command on ship/command is stamped ") == 0) told = message->msg;
+  });
+  // again and again: the first warning may come before the log is connected
+  EXPECT_TRUE(NodeDriver::waitFor([&] {
+    command.publish(speed(5, "left", 700));
+    return !told.empty();
+  }));
+  EXPECT_NE(told.find(" s ahead of simulation time: it waits until then"), std::string::npos);
+}
 
 TEST_F(Commands, TakeEffectExactlyAtTheirStampAndEndByTheTimeout) {
   send(effort(0.0512345, {"yaw", "main"}, {-1, 17}));
