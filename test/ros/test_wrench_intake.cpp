@@ -172,6 +172,20 @@ TEST_F(WrenchMessages, StartsNowWhatShouldHaveStartedAndLaterWhatIsToCome) {
   EXPECT_EQ(take(message).wrench.end, 8.25);
 }
 
+// it would never act: the run would go on without it, and say nothing
+TEST_F(WrenchMessages, RefusesAStartOfAnotherClock) {
+  AppliedWrench message = applied("map");
+  message.duration = ros::Duration(1);
+  message.start = origin.stamp(now + 3e7);
+  EXPECT_EQ(take(message).wrench.start, now + 3e7);
+  message.start = ros::Time(4200000000);
+  EXPECT_EQ(fault(message).find("start must be at most 3e+07 s ahead of simulation time, got "
+                                "4200000000.000000000, which is "),
+            0U)
+      << fault(message);
+  EXPECT_NE(fault(message).find(" s ahead: of another clock?"), std::string::npos);
+}
+
 TEST_F(WrenchMessages, RefusesADurationThatIsNegativeOrNeedsAnId) {
   AppliedWrench message = applied("map");
   message.duration = ros::Duration(-1);

@@ -1,12 +1,12 @@
 #include "ros/inputs/command_intake.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include "ros/inputs/start_of_input.hpp"
 #include "scene/build/build_actuators.hpp"
 #include "scene/message_text.hpp"
 
@@ -60,18 +60,8 @@ double commandOf(const Actuator& actuator, const JointState& message, std::size_
              : commandAt(i, actuator.name, "effort", effort, "velocity", velocity);
 }
 
-/// [s] A stamp further ahead is that of another clock: its command would wait for ever, in silence.
+/// [s]
 constexpr double kFarthest = 3600;
-
-double startOf(const ros::Time& stamp, const TimeOrigin& origin, double now) {
-  if (stamp.isZero()) return now;
-  const double start = origin.simulationTime(stamp);
-  if (start <= now + kFarthest) return std::max(start, now);
-  std::ostringstream fault;
-  fault << "stamp must be at most " << kFarthest << " s ahead of simulation time, got " << stamp
-        << ", which is " << start - now << " s ahead: of another clock?";
-  refuse(fault.str());
-}
 
 }  // namespace
 
@@ -80,7 +70,7 @@ std::vector<CommandInput> CommandIntake::take(std::size_t body, const JointState
   checkFields(message);
   ActuatorCommand command;
   command.body = body;
-  command.start = startOf(message.header.stamp, origin, now);
+  command.start = startOfInput("stamp", message.header.stamp, origin, now, kFarthest);
   if (command_timeout_ > 0) command.end = command.start + command_timeout_;
   std::vector<CommandInput> inputs;
   for (std::size_t i = 0; i < message.name.size(); ++i) {

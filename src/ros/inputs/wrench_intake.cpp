@@ -1,12 +1,12 @@
 #include "ros/inputs/wrench_intake.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
 
+#include "ros/inputs/start_of_input.hpp"
 #include "ros/messages/tf_frames.hpp"
 #include "scene/limits.hpp"
 
@@ -29,6 +29,9 @@ void requireDuration(double duration, const std::string& id) {
         << duration;
   throw std::invalid_argument(fault.str());
 }
+
+/// [s] Wrenches may be scheduled long before, but no run takes years.
+constexpr double kFarthest = 3e7;
 
 }  // namespace
 
@@ -95,7 +98,7 @@ WrenchInput WrenchIntake::take(const AppliedWrench& message, const TimeOrigin& o
   wrench.point = fromPoint(message.point);
   wrench.force = fromVector3(message.wrench.force);
   wrench.torque = fromVector3(message.wrench.torque);
-  wrench.start = message.start.isZero() ? now : std::max(origin.simulationTime(message.start), now);
+  wrench.start = startOfInput("start", message.start, origin, now, kFarthest);
   wrench.duration = toSeconds(message.duration);
   requireDuration(wrench.duration, message.id);
   if (wrench.duration == 0) wrench.duration = heldFor();
