@@ -62,7 +62,9 @@ TEST(Wind, IsRefusedInOneLine) {
             "header.frame_id must be the world frame 'map', got 'leaf'");
   EXPECT_EQ(windFault(sim, windOf(3, "")), "header.frame_id must be the world frame 'map', got ''");
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_EQ(windFault(sim, windOf(bad, "map")), "the velocity of the wind must be finite");
+    EXPECT_EQ(windFault(sim, windOf(bad, "map")),
+              std::string("the velocity of the wind must be finite, got [") +
+                  (std::isnan(bad) ? "nan" : "inf") + " 0 0] m/s");
   EXPECT_EQ(windFault(still, windOf(3, "map")), "wind needs a medium, and the scene names none");
 }
 

@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "dynamics/run/parts.hpp"
+#include "math/shortest.hpp"
 
 /// The velocity of the medium as it is set from outside.
 namespace rigid_body_sim {
@@ -27,7 +28,8 @@ void Simulation::setWind(const Vector3d& velocity_W) {
   if (!world().has_medium)
     throw std::invalid_argument("wind needs a medium, and the scene names none");
   if (!velocity_W.allFinite())
-    throw std::invalid_argument("the velocity of the wind must be finite");
+    throw std::invalid_argument("the velocity of the wind must be finite, got " +
+                                shortest(velocity_W) + " m/s");
   parts_->run.setWind(velocity_W);
   if (parts_->error) parts_->error->restart();
 }

@@ -34,8 +34,10 @@ std::vector<std::string> shortNames(const std::vector<std::string>& names, const
   for (const std::string& body : bodies) spaces.insert(ros::names::resolve(body) + "/");
   std::set<std::string> shortened;
   for (const std::string& name : names) {
-    const std::size_t end = name.rfind('/') + 1;
-    if (spaces.count(name.substr(0, end)) > 0)
+    // the longest name of a body that begins it: <body>/<imu>/truth has two levels
+    std::size_t end = name.rfind('/') + 1;
+    while (end > 1 && spaces.count(name.substr(0, end)) == 0) end = name.rfind('/', end - 2) + 1;
+    if (end > 1)
       shortened.insert("<body>/" + name.substr(end));
     else if (name.rfind(node + "/", 0) == 0)
       shortened.insert("~" + name.substr(node.size() + 1));
