@@ -150,6 +150,9 @@ TEST(LaunchFiles, StartAFleetWhereItsNodesHadOtherParameters) {
   EXPECT_TRUE(NodeDriver::waitFor([&] { return received > 2; }));
 }
 
+// [s] that the demo may try integrators for, under the thread sanitizer on a slow machine
+constexpr double kTrials = 200;
+
 TEST(LaunchFiles, ShowInRvizWhatTheirNodesPublish) {
   const std::vector<std::vector<std::string>> launches{{"sim.launch", kScene},
                                                        {"demo.launch"},
@@ -163,7 +166,7 @@ TEST(LaunchFiles, ShowInRvizWhatTheirNodesPublish) {
     ASSERT_EQ(topics.size(), arguments[0] == "fleet.launch" ? 6U : 3U);
     const Launched launched(arguments);
     for (const std::string& topic : topics)
-      EXPECT_TRUE(NodeDriver::waitFor([&] { return isPublished(topic); })) << topic;
+      EXPECT_TRUE(NodeDriver::waitFor([&] { return isPublished(topic); }, kTrials)) << topic;
   }
 }
 
