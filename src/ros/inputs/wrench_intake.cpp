@@ -31,7 +31,7 @@ void requireDuration(double duration, const std::string& id) {
 }
 
 /// [s] Wrenches may be scheduled long before, but no run takes years.
-constexpr double kFarthest = 3e7;
+constexpr double kFarthestStart = 3e7;
 
 }  // namespace
 
@@ -98,7 +98,7 @@ WrenchInput WrenchIntake::take(const AppliedWrench& message, const TimeOrigin& o
   wrench.point = fromPoint(message.point);
   wrench.force = fromVector3(message.wrench.force);
   wrench.torque = fromVector3(message.wrench.torque);
-  wrench.start = startOfInput("start", message.start, origin, now, kFarthest);
+  wrench.start = startOfInput("start", message.start, origin, now, kFarthestStart);
   wrench.duration = toSeconds(message.duration);
   requireDuration(wrench.duration, message.id);
   if (wrench.duration == 0) wrench.duration = heldFor();
