@@ -108,6 +108,13 @@ Step::Response takeSteps(const std::string& node, std::uint32_t steps) {
   return call.response;
 }
 
+/// A node of its own, until it ends; of what it prints standard error alone.
+test::Outcome runOfNode(const std::string& name, const std::string& arguments) {
+  return test::runCommand(RIGID_BODY_SIM_NODE " __name:=" + name +
+                          " _scene_file:=" RIGID_BODY_SIM_MOTORS_SCENE " " + arguments +
+                          " 2>&1 >/dev/null");
+}
+
 }  // namespace
 
 TEST(Lockstep, ClosesTheLoopWithTheSameBytesAtEveryPace) {
@@ -225,29 +232,24 @@ TEST(Lockstep, NamesTheTopicThatDoesNotAnswerAStep) {
 }
 
 TEST(Lockstep, EndsWithOneLineThatNamesTheTopicOfADeadController) {
-  const test::Outcome run = test::runCommand(
-      RIGID_BODY_SIM_NODE " __name:=lonely _scene_file:=" RIGID_BODY_SIM_MOTORS_SCENE
-                          " _lockstep:=ship/command _lockstep_period:=0.02 "
-                          "_lockstep_timeout:=0.3 2>&1 >/dev/null");
+  const test::Outcome run =
+      runOfNode("lonely", "_lockstep:=ship/command _lockstep_period:=0.02 _lockstep_timeout:=0.3");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.out.find("rigid_body_node: lockstep: a message on /ship/command stamped "), 0U)
       << run.out;
   EXPECT_NE(run.out.find(" did not come within 0.3 s of wall time (~lockstep_timeout)\n"),
             std::string::npos)
       << run.out;
-  const test::Outcome uneven = test::runCommand(
-      RIGID_BODY_SIM_NODE " __name:=uneven _scene_file:=" RIGID_BODY_SIM_MOTORS_SCENE
-                          " _lockstep:=ship/command _lockstep_period:=0.015 2>&1 >/dev/null");
+}
+
+TEST(Lockstep, RefusesAPeriodOffTheStepsAndATopicOfTheNodeItself) {
+  const test::Outcome uneven =
+      runOfNode("uneven", "_lockstep:=ship/command _lockstep_period:=0.015");
   EXPECT_EQ(uneven.exit_code, 1);
   EXPECT_EQ(uneven.out,
             "rigid_body_node: parameter ~lockstep_period: must be a multiple of the scene's "
             "time_step 0.01 s, got 0.015\n");
-}
-
-TEST(Lockstep, DoesNotTakeANodeForItsOwnController) {
-  const test::Outcome own = test::runCommand(
-      RIGID_BODY_SIM_NODE " __name:=own _scene_file:=" RIGID_BODY_SIM_MOTORS_SCENE
-                          " _lockstep:=ship/odom _lockstep_period:=0.02 2>&1 >/dev/null");
+  const test::Outcome own = runOfNode("own", "_lockstep:=ship/odom _lockstep_period:=0.02");
   EXPECT_EQ(own.exit_code, 1);
   EXPECT_EQ(own.out,
             "rigid_body_node: parameter ~lockstep: must name topics of others, such as a "
