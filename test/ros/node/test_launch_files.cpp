@@ -48,6 +48,9 @@ class Launched {
   pid_t child_;
 };
 
+// [s] that the demo may try integrators for, under the thread sanitizer on a slow machine
+constexpr double kTrials = 200;
+
 /// Whether the body that is launched says where it is, and goes on to say so.
 bool movesWhenLaunched(const std::vector<std::string>& arguments) {
   ros::NodeHandle nh;
@@ -57,7 +60,7 @@ bool movesWhenLaunched(const std::vector<std::string>& arguments) {
   };
   const ros::Subscriber subscriber = nh.subscribe<nav_msgs::Odometry>("/box/odom", 100, receive);
   const Launched launched(arguments);
-  return NodeDriver::waitFor([&] { return received > 2; });
+  return NodeDriver::waitFor([&] { return received > 2; }, kTrials);
 }
 
 /// How a launch file starts rviz.
@@ -149,9 +152,6 @@ TEST(LaunchFiles, StartAFleetWhereItsNodesHadOtherParameters) {
   const Launched launched({"fleet.launch"});
   EXPECT_TRUE(NodeDriver::waitFor([&] { return received > 2; }));
 }
-
-// [s] that the demo may try integrators for, under the thread sanitizer on a slow machine
-constexpr double kTrials = 200;
 
 TEST(LaunchFiles, ShowInRvizWhatTheirNodesPublish) {
   const std::vector<std::vector<std::string>> launches{{"sim.launch", kScene},
