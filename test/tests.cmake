@@ -1,6 +1,6 @@
 # catkin before 0.8.10 gives its targets of an installed googletest the names of several libraries, or
 # of none, in place of a file.
-foreach(library gtest gtest_main gmock)
+foreach(library gtest gtest_main gmock gmock_main)
   if(NOT TARGET ${library})
     continue()  # a library that the linker finds
   endif()
