@@ -123,12 +123,12 @@ TEST_F(LockstepTurns, SayWhatAMessageFarAheadHasMadeOfTheNext) {
   EXPECT_EQ(takenAt(1), "/a1 /b1 ");
   lockstep.begin(ros::Time(1.25), now);
   EXPECT_EQ(lockstep.missing(),
-            "a message on /a stamped later than 1.500000000, which the last one taken was stamped");
+            "a message on /a stamped later than 1.500000000 (the stamp of the last one taken)");
   comes("/a", 1.75, 2);
   comes("/b", 1.25, 2);
   EXPECT_EQ(lockstep.missing(),
-            "a message on /b stamped later than 1000000000.000000000, which the last one taken was "
-            "stamped, 1e+09 s ahead of simulation time (of another clock?),");
+            "a message on /b stamped later than 1000000000.000000000 (the stamp of the last one "
+            "taken, 1e+09 s ahead of simulation time: of another clock?)");
 }
 
 TEST_F(LockstepTurns, AreAtMultiplesOfThePeriod) {

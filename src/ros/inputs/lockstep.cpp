@@ -45,8 +45,9 @@ void Lockstep::refuseOwn() const {
   for (const Topic& topic : topics_)
     if (std::find(own.begin(), own.end(), topic.name) != own.end())
       throw ParameterError(
-          "parameter ~lockstep: must name topics of others, such as a controller's, " +
-              std::string("but this node itself publishes ") + topic.name,
+          "parameter ~lockstep: must name topics of others, such as a "
+          "controller's, but this node itself publishes " +
+              topic.name,
           {"lockstep"});
 }
 
@@ -156,10 +157,11 @@ std::string Lockstep::missing() const {
   if (topic.last_end < *state_) {  // also where there was none
     text << *state_ << " or later";
   } else {
-    constexpr double kFar = 3600;  // [s]
+    constexpr double kFar = 3600;  // [s] no controller answers an hour ahead
     const double ahead = (*topic.last_end - *state_).toSec();
-    text << "later than " << *topic.last_end << ", which the last one taken was stamped";
-    if (ahead > kFar) text << ", " << ahead << " s ahead of simulation time (of another clock?),";
+    text << "later than " << *topic.last_end << " (the stamp of the last one taken";
+    if (ahead > kFar) text << ", " << ahead << " s ahead of simulation time: of another clock?";
+    text << ")";
   }
   return text.str();
 }
