@@ -60,7 +60,7 @@ double commandOf(const Actuator& actuator, const JointState& message, std::size_
              : commandAt(i, actuator.name, "effort", effort, "velocity", velocity);
 }
 
-/// [s]
+/// [s] A controller commands moments ahead, not an hour.
 constexpr double kFarthest = 3600;
 
 }  // namespace
