@@ -129,10 +129,13 @@ TEST_F(Commands, AreWarnedOfWhereTimeStandsBeforeTheirStamp) {
     if (message->msg.find("command on ship/command is stamped ") == 0) told = message->msg;
   });
   // again and again: the first warning may come before the log is connected
+  std::size_t sent = 0;
   EXPECT_TRUE(NodeDriver::waitFor([&] {
     command.publish(speed(5, "left", 700));
+    ++sent;
     return !told.empty();
   }));
+  EXPECT_TRUE(NodeDriver::waitFor([&] { return inputs.size() == sent; }));  // none on its way
   EXPECT_NE(told.find(" s ahead of simulation time: it waits until then"), std::string::npos);
 }
 
