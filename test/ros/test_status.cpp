@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -138,6 +139,22 @@ TEST(Diagnostics, WarnOfWhatCostsAccuracyOrTime) {
   EXPECT_NE(all.find("3 steps began late"), std::string::npos);
   EXPECT_NE(all.find("up to 12 substeps"), std::string::npos);
   EXPECT_NE(all.find("the scene's tolerance is not held"), std::string::npos);
+}
+
+TEST(Diagnostics, WarnOfWhatIsBeyondNumbers) {
+  Simulation simulation = simulationOf(R"(
+time_step: 1
+bodies: [{name: a, shape: {sphere: {radius: 1}}, mass: 2, twist: {frame: world, linear: [0, 1e155, 0]}}]
+)");
+  Health health;
+  health.status = statusOf(simulation);
+  EXPECT_EQ(described(health).level, DiagnosticStatus::WARN);
+  EXPECT_EQ(described(health).message,
+            "energy or momentum is beyond 1.8e308, and their balances are not known");
+  health.status.mechanical_energy = 0;
+  EXPECT_EQ(described(health).level, DiagnosticStatus::OK);
+  health.status.angular_momentum.z = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(described(health).level, DiagnosticStatus::WARN);
 }
 
 TEST(Diagnostics, HoldAnEstimatedErrorAgainstTheToleranceUpToTheHorizon) {

@@ -1,6 +1,7 @@
 #include "ros/node/status.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "ros/messages/conversions.hpp"
@@ -10,7 +11,13 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-double norm(const geometry_msgs::Vector3& v) { return Vector3d(v.x, v.y, v.z).norm(); }
+double norm(const geometry_msgs::Vector3& v) { return fromVector3(v).norm(); }
+
+/// Products of what is finite may not be: a body may move on whose energy is beyond 1.8e308 J.
+bool areFinite(const SimStatus& status) {
+  return std::isfinite(status.mechanical_energy) && fromVector3(status.momentum).allFinite() &&
+         fromVector3(status.angular_momentum).allFinite();
+}
 
 void addMechanics(const Simulation& simulation, SimStatus& status) {
   const Totals totals = totalsOf(simulation.world(), simulation.state());
@@ -76,6 +83,10 @@ void describe(const Health& health, diagnostic_updater::DiagnosticStatusWrapper&
                              status.most_parts);
   if (!health.holds_tolerance)
     diagnostic.mergeSummary(DiagnosticStatus::WARN, "the scene's tolerance is not held");
+  if (!areFinite(status))
+    diagnostic.mergeSummary(
+        DiagnosticStatus::WARN,
+        "energy or momentum is beyond 1.8e308, and their balances are not known");
   if (!health.divergence.empty())
     diagnostic.summary(DiagnosticStatus::ERROR, "diverged: " + health.divergence);
 
