@@ -8,6 +8,7 @@
 #include <rigid_body_sim/scene/state_file.hpp>
 
 #include "math/shortest.hpp"
+#include "scene/message_text.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -28,16 +29,16 @@ void requireRegular(const std::string& path) {
     throw SceneError(path, 0, "must be a regular file");
 }
 
-/// The answer to a request: what `action` says, or what it throws.
+/// The answer to a request: what `action` says, or what it throws, in one line whatever the path.
 template <class Action>
 bool answer(StateFile::Response& response, const Action& action) {
   try {
-    response.message = action();
+    response.message = oneLine(action());
     response.success = true;
   } catch (const SceneError& fault) {
-    response.message = fault.what();
+    response.message = oneLine(fault.what());
   } catch (const std::invalid_argument& refused) {
-    response.message = refused.what();
+    response.message = oneLine(refused.what());
   }
   return true;
 }

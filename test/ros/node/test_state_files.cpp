@@ -99,4 +99,11 @@ TEST_F(NodeStateFiles, AreRegularFiles) {
   EXPECT_TRUE(std::filesystem::is_symlink(files.path("link")));
 }
 
+TEST_F(NodeStateFiles, AnswerInOneLineWhateverTheirNames) {
+  for (const char* service : {"save", "load"})
+    for (const char* name : {"two\nlines", "no/such\nplace"})
+      EXPECT_EQ(answer(service, name).find('\n'), std::string::npos) << service << " " << name;
+  EXPECT_TRUE(std::filesystem::exists(files.path("two\nlines")));
+}
+
 }  // namespace rigid_body_sim
