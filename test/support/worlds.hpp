@@ -40,6 +40,13 @@ struct Bench {
     return world.bodies.size() - 1;
   }
 
+  /// Fixes a body where it starts.
+  void fix(std::size_t body) {
+    world.bodies[body].fixed = true;
+    BodyState& start = initial.bodies[body];
+    start.p_W = start.L_W = start.L_P = Vector3d::Zero();
+  }
+
   void addSpring(const Spring::End& from, const Spring::End& to,
                  const Spring::Constants& constants) {
     world.laws.push_back(std::make_shared<Spring>(from, to, constants));

@@ -39,7 +39,7 @@ struct ContactShape {
 
 /// Solid below its plane, free above; it never moves.
 struct HalfSpace {
-  std::size_t body = kWorld;             ///< the fixed body that it belongs to, for messages
+  std::size_t body = kWorld;             ///< the fixed body that it belongs to, or the world
   Vector3d origin_W = Vector3d::Zero();  ///< [m] a point of the plane
   Quaterniond q_WH =
       Quaterniond::Identity();  ///< z: the normal, out of the solid; x, y: in the plane
@@ -58,7 +58,8 @@ struct ContactParameters {
 /// The dissipation d [s/m] with which a body that strikes at the speed v [m/s] rebounds at e v, for
 /// any stiffness, exponent and mass, and without gravity: x = d v solves
 ///   x (1 + e) = ln((1 + x)/(1 − e x)).
-/// Throws std::invalid_argument unless 0 < e <= 1 and v > 0: e = 0 would need d = ∞.
+/// Throws std::invalid_argument unless 0 < e <= 1 and v > 0 (e = 0 would need d = ∞), and where d
+/// is beyond numbers.
 double dissipationForRestitution(double restitution, double approach_speed);
 
 /// Contact of a body that moves with a half-space. Each feature touches at its deepest point; with

@@ -84,7 +84,8 @@ class ForceLaw {
     return nullptr;
   }
 
-  /// What an integrator must support (Need).
+  /// What an integrator must support (Need), something at least: kCoupling where a wrench depends
+  /// on nothing that is named there.
   virtual unsigned needs() const = 0;
 
   /// Adds the wrench on each body.

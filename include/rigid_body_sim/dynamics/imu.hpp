@@ -45,6 +45,7 @@ ImuReading readImu(const Imu& imu, const Body& body, const BodyMotion& motion);
 /// sample may be asked for, in any order.
 class ImuNoise {
  public:
+  /// Throws std::invalid_argument for an IMU that breaks a rule (imuFault).
   ImuNoise(const Imu& imu, const std::string& body_name);
 
   /// The reading of a sample. A walk is summed up from the last sample that was asked for, at some

@@ -15,7 +15,9 @@ namespace rigid_body_sim {
 
 /// A wrench is applied to a body that is not fixed.
 struct WrenchInput {
-  std::string slot;  ///< takes the place of what the body has in it; empty: always adds
+  /// Takes the place of what acts on the body from this slot at its own start, and at once of what
+  /// is to come from it; empty: always adds.
+  std::string slot;
   PointWrench wrench;
 };
 

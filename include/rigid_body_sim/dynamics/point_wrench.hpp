@@ -23,8 +23,10 @@ struct PointWrench {
   std::size_t point_frame = kOwnBody;  ///< of point: world frame or a body's principal frame
   Vector3d point = Vector3d::Zero();   ///< [m]
   bool at_center = false;  ///< point is Body::com_P of the body acted on, and goes along with it
-  double start = 0;        ///< [s] acts for start <= t < end
-  double end = std::numeric_limits<double>::infinity();  ///< [s]
+  /// [s] Acts for start <= t < end, and not at all where end <= start. Of an input (WrenchInput) a
+  /// start that is past means now, and the end is later by as much.
+  double start = 0;
+  double end = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace rigid_body_sim

@@ -76,6 +76,7 @@ class Simulation {
   /// that are not finite, a time that is no multiple of the step.
   Simulation(World world, State start);
   Simulation(const Simulation& other);
+  /// What was moved from may only be assigned to or destroyed.
   Simulation(Simulation&& other) noexcept;
   Simulation& operator=(const Simulation& other);
   Simulation& operator=(Simulation&& other) noexcept;
@@ -157,9 +158,10 @@ class Simulation {
   /// where it is to be already.
   void setPresent(std::size_t body, const std::optional<BodyState>& state);
 
-  /// On from a state as state() gave it, of this run or another of the same world: the same bits
-  /// follow as there. A reset still leads to the start of this run. Throws std::invalid_argument,
-  /// and leaves all as it was, for a state that breaks a rule.
+  /// On from a state as state() gave it, of this run or another of the same world, which is the
+  /// caller's to know (loadState of state_file.hpp compares): the same bits follow as there. A
+  /// reset still leads to the start of this run. Throws std::invalid_argument, and leaves all as it
+  /// was, for a state that breaks a rule.
   void load(const State& state);
 
   /// Throws std::invalid_argument where applyWrench would, for one of these applied in order.
@@ -219,7 +221,8 @@ class Simulation {
   void trackError();
 
   /// The greatest error so far since trackError, estimated at every other step: the difference of
-  /// the two runs over 2^order − 1. Infinite once the second run has diverged.
+  /// the two runs over 2^order − 1. Infinite once the second run has diverged; 0 where nothing is
+  /// tracked.
   ErrorEstimate errorEstimate() const;
 
   /// From now on every step is metered: costs order/2 + 1 extra steps per integrated step, a few

@@ -88,8 +88,10 @@ bool operator==(const BodyChange& a, const BodyChange& b);
 
 /// What changes about the world, and what it takes to go on from there.
 struct State {
-  double t = 0;                   ///< [s] since the start of the simulation
-  std::vector<BodyState> bodies;  ///< in the order of World::bodies
+  double t = 0;  ///< [s] since the start of the simulation
+  /// In the order of World::bodies. Who changes one, or t, clears `anchors` and `plans`: a solved
+  /// motion goes on from its anchor.
+  std::vector<BodyState> bodies;
   /// Of the laws that have states of their own, law by law in the order of World::laws; empty: as
   /// they start.
   std::vector<double> laws{};
@@ -135,7 +137,8 @@ BodyState toBodyState(const Body& body, const BodyFrameMotion& motion);
 /// The inverse of toBodyState; velocities v_B = v − ω × R r.
 BodyFrameMotion toBodyFrameMotion(const Body& body, const BodyState& state);
 
-/// What the actuators of a body do at the time of the state, which must have State::actuators.
+/// What the actuators of a body do at the time of a state that a simulation gave. Throws
+/// std::invalid_argument where State::actuators has none of this body.
 std::vector<ActuatorReading> readActuators(const Body& body, const State& state, std::size_t index);
 
 /// [m] From one state of a body to another, the low parts of the positions included.

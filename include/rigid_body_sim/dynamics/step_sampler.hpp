@@ -46,8 +46,8 @@ class StatesWithin {
   StatesWithin() = default;
 
   /// Of the instants k / rate: bits do not depend on which of them are asked for, as those that are
-  /// not are gone through, too. rate [1/s] > 0.
-  explicit StatesWithin(double rate) : rate_(rate) {}
+  /// not are gone through, too. Throws std::invalid_argument unless rate [1/s] is > 0 and finite.
+  explicit StatesWithin(double rate);
 
   /// At a time t [s] within the step that comes next.
   State at(const Simulation& simulation, double t);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include <rigid_body_sim/dynamics/world.hpp>
+#include <rigid_body_sim/scene/scene_error.hpp>
 
 namespace rigid_body_sim {
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <rigid_body_sim/dynamics/actuator.hpp>
@@ -6,6 +7,7 @@
 #include <rigid_body_sim/mass/principal_axes.hpp>
 
 #include "dynamics/actuators/lag.hpp"
+#include "dynamics/require.hpp"
 #include "math/shortest.hpp"
 
 namespace rigid_body_sim {
@@ -90,6 +92,10 @@ ActuatorReading readActuator(const Actuator& actuator, const ActuatorState& stat
 
 std::vector<ActuatorReading> readActuators(const Body& body, const State& state,
                                            std::size_t index) {
+  require(index < state.bodies.size() && index < state.actuators.size() &&
+              state.actuators[index].size() == body.actuators.size(),
+          "a state has no actuators of body '", body.name, "' at the index ", index,
+          ": take one that a simulation gave");
   const Vector3d w_P = angularVelocity(body.inv_I, state.bodies[index].L_P);
   const Vector3d w_B = body.X_BP.linear() * w_P;
   std::vector<ActuatorReading> readings;
@@ -127,7 +133,9 @@ std::string actuatorsFault(const std::vector<Actuator>& actuators, const Matrix3
     const std::string fault =
         std::visit([](const auto& kind) { return faultOf(kind); }, actuator.kind);
     if (!fault.empty()) return who + fault;
-    if (!(actuator.least <= actuator.greatest))
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (!(actuator.least <= actuator.greatest && actuator.least < kInfinity &&
+          actuator.greatest > -kInfinity))
       return who + "limits must be two numbers that ascend";
   }
   const double least = principalAxes(withoutSpinning(actuators, I_Bcm)).I(0);

@@ -31,6 +31,10 @@ std::shared_ptr<const ForceLaw> contactWithHalfSpace(const std::vector<Body>& bo
   if (shape.empty()) throw std::invalid_argument(name + "it has no shape that could touch");
   if (!plane.origin_W.allFinite() || !isNearlyUnit(plane.q_WH))
     throw std::invalid_argument(name + "the plane's origin must be finite, its attitude unit");
+  if (plane.body != kWorld && (plane.body >= bodies.size() || !bodies[plane.body].fixed))
+    throw std::invalid_argument(name +
+                                "the plane must be of a fixed body or of the world, got index " +
+                                std::to_string(plane.body));
   return std::make_shared<PlaneContact>(bodies[body], body, featuresOf(shape, bodies[body].name),
                                         plane, parameters);
 }

@@ -49,6 +49,7 @@ std::vector<Feature> featuresOf(const ContactShape& shape, const std::string& bo
   for (const ContactShape::Ellipsoid& ellipsoid : shape.ellipsoids) {
     requireOfShape((ellipsoid.semi_axes.array() > 0).all() && ellipsoid.semi_axes.allFinite(), body,
                    "the semi-axes of an ellipsoid must be > 0 m");
+    requireOfShape(isNearlyUnit(ellipsoid.q_PE), body, "the attitude of an ellipsoid must be unit");
     features.emplace_back();
     features.back().kind = Feature::Kind::kEllipsoid;
     features.back().center_P = ellipsoid.center_P;

@@ -75,7 +75,10 @@ double dissipationForRestitution(double e, double approach_speed) {
     if (next == y || !(high - low > 1e-16 * high)) break;
     y = next;
   }
-  return speedRatioAt(y) / approach_speed;
+  const double dissipation = speedRatioAt(y) / approach_speed;
+  requireConstant(std::isfinite(dissipation),
+                  "the speed at which restitution is given is too small", approach_speed);
+  return dissipation;
 }
 
 // The force rises as t^p from a touch on, and falls so towards a release. Where p is not 1, no

@@ -3,6 +3,7 @@
 #include <rigid_body_sim/dynamics/imu.hpp>
 
 #include "dynamics/imu/imu_draws.hpp"
+#include "dynamics/require.hpp"
 #include "math/shortest.hpp"
 
 namespace rigid_body_sim {
@@ -32,7 +33,10 @@ ImuNoise::ImuNoise(const Imu& imu, const std::string& body_name)
     : rate_(imu.rate),
       key_(imuKey(imu.seed, body_name, imu.name)),
       gyroscope_{imu.gyroscope, kGyroscope},
-      accelerometer_{imu.accelerometer, kAccelerometer} {}
+      accelerometer_{imu.accelerometer, kAccelerometer} {
+  const std::string fault = imuFault(imu);
+  require(fault.empty(), "body '", body_name, "': ", fault);
+}
 
 ImuReading ImuNoise::addTo(const ImuReading& truth, std::uint64_t sample) {
   walkTo(sample);

@@ -43,6 +43,9 @@ struct TakenPlaces {
 void checkLaw(const World& world, const ForceLaw& law, TakenPlaces& taken) {
   const std::vector<std::size_t> members = law.members();
   require(!members.empty(), "law '", law.name(), "': it must act on a body");
+  require(law.needs() != 0, "law '", law.name(),
+          "': it must need something of an integrator, "
+          "kCoupling at least, or a body under it would be solved without it");
   for (std::size_t body : members) {
     require(body < world.bodies.size(), "law '", law.name(), "': no body has the index ", body);
     require(!world.bodies[body].fixed, "law '", law.name(), "': body '", world.bodies[body].name,
@@ -97,6 +100,9 @@ void checkWorld(const World& world) {
     require(body.fixed || (isPositive(body.mass) && (body.I.array() > 0).all() &&
                            body.I.allFinite() && body.inv_I.allFinite()),
             "body '", body.name, "': mass and principal moments must be > 0 and finite");
+  for (const GravityCenter& center : world.gravity_centers)
+    require(center.center_W.allFinite() && isPositive(center.mu),
+            "a center of gravity must be at a finite place, with mu > 0 m^3/s^2", Got{center.mu});
   TakenPlaces taken;
   for (const auto& law : world.laws) {
     require(law != nullptr, "a law must not be null");

@@ -10,6 +10,13 @@
 namespace rigid_body_sim {
 namespace {
 
+/// A fixed body stays where it is whatever its momenta say, and sensors on it would read them.
+void checkStill(const std::string& body, const BodyState& s) {
+  checkPose(body, s);
+  require(s.p_W.isZero(0) && s.L_W.isZero(0) && s.L_P.isZero(0), "body '", body,
+          "' is fixed, its momentum and angular momentum must be zero");
+}
+
 void checkActuatorStates(const World& world, const State& state) {
   if (state.actuators.empty()) return;
   require(state.actuators.size() == world.bodies.size(),
@@ -117,8 +124,8 @@ void checkState(const World& world, const State& state) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
     if (moves(world.bodies[i]))
       checkBodyState(world, i, state.bodies[i]);
-    else if (!world.bodies[i].absent)
-      checkPose(world.bodies[i].name, state.bodies[i]);
+    else if (world.bodies[i].fixed)
+      checkStill(world.bodies[i].name, state.bodies[i]);
 }
 
 }  // namespace rigid_body_sim

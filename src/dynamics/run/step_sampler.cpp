@@ -5,6 +5,8 @@
 #include <rigid_body_sim/dynamics/contact_point.hpp>
 #include <rigid_body_sim/dynamics/step_sampler.hpp>
 
+#include "dynamics/require.hpp"
+#include "dynamics/run/check_input.hpp"
 #include "dynamics/run/run.hpp"
 #include "math/instant_rounding.hpp"
 #include "math/shortest.hpp"
@@ -49,11 +51,16 @@ State StepSampler::at(double t) {
 }
 
 std::vector<BodyMotion> StepSampler::motions(const std::vector<std::size_t>& bodies, double t) {
+  for (std::size_t body : bodies) checkIndex(*ahead_->run().now().world, body);
   ahead_->goOnTo(t);
   return ahead_->run().motions(bodies, t);
 }
 
 std::int64_t StepSampler::evaluations() const { return ahead_->run().now().evaluations(); }
+
+StatesWithin::StatesWithin(double rate) : rate_(rate) {
+  require(rate > 0 && std::isfinite(rate), "a rate must be > 0 and finite", Got{rate});
+}
 
 /// What to ask in place of the simulation; null for the first instant of a step.
 StepSampler* StatesWithin::samplerFor(const Simulation& simulation, double t) {

@@ -126,6 +126,34 @@ TEST(Contact, RefusesShapesThatCannotTouch) {
                std::invalid_argument);
   EXPECT_THROW(contactOfBalls(bodies, 0, ball, 1, point, c), std::invalid_argument);
   EXPECT_THROW(contactOfBalls(bodies, 0, ball, 0, ball, c), std::invalid_argument);
+  for (double norm : {0.0, 2.0, std::nan("")}) {
+    ContactShape egg;
+    egg.ellipsoids.push_back({Vector3d::Zero(), Quaterniond(norm, 0, 0, 0), {3, 2, 1}});
+    EXPECT_THROW(contactWithHalfSpace(bodies, 0, egg, HalfSpace{}, c), std::invalid_argument)
+        << norm;
+  }
+}
+
+TEST(Contact, RefusesPlanesOfWhatMoves) {
+  Bench bench = strikingBall(1, contactOf(1e5, 1.5, 0, 0.5));
+  Body post = test::principalBody("post", 1, {1, 1, 1});
+  post.fixed = true;
+  bench.add(post, motionAt({9, 0, 0}));
+  const auto withPlaneOf = [&](std::size_t body) {
+    HalfSpace plane;
+    plane.body = body;
+    return contactWithHalfSpace(bench.world.bodies, 0, test::ballShape(1), plane,
+                                contactOf(1e5, 1.5, 0, 0));
+  };
+  EXPECT_NO_THROW(withPlaneOf(1));
+  EXPECT_NO_THROW(withPlaneOf(kWorld));
+  EXPECT_THROW(withPlaneOf(0), std::invalid_argument);  // itself, which moves
+  EXPECT_THROW(withPlaneOf(2), std::invalid_argument);
+}
+
+TEST(Contact, RefusesASpeedForWhichDissipationIsBeyondNumbers) {
+  EXPECT_GT(dissipationForRestitution(0.5, 1e-300), 1e299);
+  EXPECT_THROW(dissipationForRestitution(0.5, 1e-320), std::invalid_argument);
 }
 
 }  // namespace

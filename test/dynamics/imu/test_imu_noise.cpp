@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -50,6 +51,14 @@ void expectDeviations(const std::vector<double>& values, const std::vector<doubl
 }
 
 }  // namespace
+
+TEST(ImuNoise, RefusesAnImuThatBreaksARule) {
+  for (double rate : {0.0, -100.0, std::nan("")}) {
+    Imu imu = referenceImu();
+    imu.rate = rate;
+    EXPECT_THROW(ImuNoise(imu, "body"), std::invalid_argument) << rate;
+  }
+}
 
 TEST(Philox, GivesThePublishedWordsForCounterAndKeyZero) {
   const std::array<std::uint32_t, 4> words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8};

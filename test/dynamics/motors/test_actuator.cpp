@@ -1,3 +1,7 @@
+#include <limits>
+#include <stdexcept>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
@@ -40,10 +44,32 @@ TEST(Actuator, FaultsAreNamed) {
   Actuator limited = named("w", wheelAlong({1, 0, 0}, 0.5));
   limited.least = 1;
   limited.greatest = -1;
-  EXPECT_EQ(faultWith(limited), "actuator 'w': limits must be two numbers that ascend");
+  const std::string limits = "actuator 'w': limits must be two numbers that ascend";
+  EXPECT_EQ(faultWith(limited), limits);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  limited.least = limited.greatest = kInfinity;
+  EXPECT_EQ(faultWith(limited), limits);
+  limited.least = limited.greatest = -kInfinity;
+  EXPECT_EQ(faultWith(limited), limits);
+  limited.greatest = kInfinity;
+  EXPECT_EQ(faultWith(limited), "");
   EXPECT_EQ(actuatorsFault({named("a", Thruster()), named("a", Wheel(wheelAlong({1, 0, 0}, 0.1)))},
                            Matrix3d::Identity()),
             "actuator 'a': its name must be unique in its body and not empty");
+}
+
+TEST(Actuator, ReadingsAreOfStatesThatHaveThem) {
+  const Bench bench = benchOf(motley(), motleyStart());
+  const Simulation sim = bench.simulation("auto", 0.1);
+  const Body& body = sim.world().bodies[0];
+  const State now = sim.state();
+  EXPECT_EQ(readActuators(body, now, 0).size(), body.actuators.size());
+  State without = now;
+  without.actuators.clear();
+  EXPECT_THROW(readActuators(body, without, 0), std::invalid_argument);
+  EXPECT_THROW(readActuators(body, now, 9), std::invalid_argument);
+  EXPECT_THROW(readActuators(test::principalBody("bare", 1, {1, 1, 1}), now, 0),
+               std::invalid_argument);
 }
 
 TEST(Actuator, BodiesWithFaultsAreRefused) {

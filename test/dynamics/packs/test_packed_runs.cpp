@@ -103,7 +103,7 @@ TEST(PackedRuns, TakeSeveralStepsAtOnceWithTheSameBits) {
 TEST(PackedRuns, AreReadWhileTheyAreSteppedWithTheSameBits) {
   for (const std::string& integrator : packedIntegrators()) {
     test::Bench bench = thrownBodies(150);
-    bench.world.bodies[3].fixed = true;
+    bench.fix(3);
     bench.world.bodies[70].absent = true;
     PointWrench pulled = turnOf(8, 0.5, 0.9);
     pulled.point_frame = kWorld;

@@ -1,10 +1,14 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include <rigid_body_sim/dynamics/step_sampler.hpp>
 
 #include "support/worlds.hpp"
 
@@ -37,6 +41,73 @@ TEST(Arguments, AreIndicesOfBodies) {
   EXPECT_EQ(askRefusal([](Simulation& sim) { sim.appliedWrench(1); }), no_body);
   EXPECT_EQ(askRefusal([](Simulation& sim) { sim.actuators(1); }), no_body);
   EXPECT_EQ(askRefusal([&](Simulation& sim) { sim.replaces("slot", on_none); }), no_body);
+}
+
+TEST(Arguments, OfASamplerAreThoseOfItsSimulation) {
+  EXPECT_EQ(askRefusal([](Simulation& sim) {
+              StepSampler(sim).motions({0, 1}, 0.1);
+            }),
+            "no body has the index 1");
+  for (double rate : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(StatesWithin{rate}, std::invalid_argument) << rate;
+}
+
+TEST(Arguments, OfAFixedBodyAreWithoutVelocity) {
+  test::Bench bench = test::restingBox();
+  bench.world.bodies[0].fixed = true;
+  EXPECT_NO_THROW(bench.simulation("auto", 0.1));
+  for (Vector3d BodyState::*momentum : {&BodyState::p_W, &BodyState::L_W, &BodyState::L_P}) {
+    test::Bench moving = bench;
+    moving.initial.bodies[0].*momentum = {0, 0, 2};
+    EXPECT_THROW(moving.simulation("auto", 0.1), std::invalid_argument);
+  }
+}
+
+TEST(Arguments, AreCentersOfGravity) {
+  const auto accepts = [](const GravityCenter& center) {
+    test::Bench bench = test::restingBox();
+    bench.world.gravity_centers = {center};
+    try {
+      bench.simulation("auto", 0.1);
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+    return true;
+  };
+  EXPECT_TRUE(accepts({{0, 0, -6.4e6}, 3.99e14}));
+  EXPECT_FALSE(accepts({{0, std::nan(""), 0}, 1}));
+  for (double mu : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_FALSE(accepts({{0, 0, 0}, mu})) << mu;
+}
+
+/// A steady pull, which says nothing of what it needs.
+class SilentPull final : public ForceLaw {
+ public:
+  const char* name() const override { return "pull"; }
+  std::vector<std::size_t> members() const override { return {0}; }
+  std::shared_ptr<const ForceLaw> reindexed(
+      const std::function<std::size_t(std::size_t)>&) const override {
+    return std::make_shared<SilentPull>();
+  }
+  unsigned needs() const override { return 0; }
+  void addWrenches(const Bodies&, std::vector<Wrench>& wrenches) const override {
+    wrenches[0].f_W.x() += 10;
+  }
+  double potentialEnergy(const Bodies& at) const override { return -10 * at.states[0].x_W.x(); }
+  double externalPower(const Bodies&) const override { return 0; }
+};
+
+// A body under it would be solved as if nothing acted.
+TEST(Arguments, AreLawsThatNeedSomething) {
+  test::Bench bench = test::restingBox();
+  bench.world.laws.push_back(std::make_shared<SilentPull>());
+  try {
+    bench.simulation("auto", 0.1);
+    ADD_FAILURE() << "accepted";
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_NE(std::string(refused.what()).find("law 'pull': it must need"), std::string::npos)
+        << refused.what();
+  }
 }
 
 TEST(Arguments, AreTimesWithinTheNextStep) {

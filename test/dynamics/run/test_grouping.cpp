@@ -242,11 +242,13 @@ TEST(Simulation, RefusesWorldsAndStatesThatBreakARule) {
   EXPECT_EQ(fault([](Bench& b) { b.world.laws.push_back(nullptr); }), "a law must not be null");
   const auto faultOfFixed = [&](const auto& change) {
     return fault([&](Bench& b) {
-      b.world.bodies[3].fixed = true;
+      b.fix(3);
       change(b.initial.bodies[3]);
     });
   };
   EXPECT_EQ(faultOfFixed([](BodyState&) {}), "taken");
+  EXPECT_EQ(faultOfFixed([](BodyState& s) { s.L_P.z() = 2; }),
+            "body 'd' is fixed, its momentum and angular momentum must be zero");
   EXPECT_EQ(faultOfFixed([](BodyState& s) { s.x_W.y() = NAN; }),
             "body 'd': position must be finite");
   EXPECT_EQ(faultOfFixed([](BodyState& s) { s.q_WP.coeffs() *= 2; }),
