@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include <rigid_body_sim/dynamics/actuator.hpp>
@@ -133,10 +132,10 @@ std::string actuatorsFault(const std::vector<Actuator>& actuators, const Matrix3
     const std::string fault =
         std::visit([](const auto& kind) { return faultOf(kind); }, actuator.kind);
     if (!fault.empty()) return who + fault;
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    if (!(actuator.least <= actuator.greatest && actuator.least < kInfinity &&
-          actuator.greatest > -kInfinity))
+    if (!(actuator.least <= actuator.greatest))
       return who + "limits must be two numbers that ascend";
+    if (std::isinf(actuator.least) && actuator.least == actuator.greatest)
+      return who + "limits must not both be infinite alike";
   }
   const double least = principalAxes(withoutSpinning(actuators, I_Bcm)).I(0);
   if (least > 1e-15 * I_Bcm.cwiseAbs().maxCoeff()) return "";

@@ -44,13 +44,13 @@ TEST(Actuator, FaultsAreNamed) {
   Actuator limited = named("w", wheelAlong({1, 0, 0}, 0.5));
   limited.least = 1;
   limited.greatest = -1;
-  const std::string limits = "actuator 'w': limits must be two numbers that ascend";
-  EXPECT_EQ(faultWith(limited), limits);
+  EXPECT_EQ(faultWith(limited), "actuator 'w': limits must be two numbers that ascend");
+  const std::string alike = "actuator 'w': limits must not both be infinite alike";
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   limited.least = limited.greatest = kInfinity;
-  EXPECT_EQ(faultWith(limited), limits);
+  EXPECT_EQ(faultWith(limited), alike);
   limited.least = limited.greatest = -kInfinity;
-  EXPECT_EQ(faultWith(limited), limits);
+  EXPECT_EQ(faultWith(limited), alike);
   limited.greatest = kInfinity;
   EXPECT_EQ(faultWith(limited), "");
   EXPECT_EQ(actuatorsFault({named("a", Thruster()), named("a", Wheel(wheelAlong({1, 0, 0}, 0.1)))},
