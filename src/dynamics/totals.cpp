@@ -3,6 +3,7 @@
 #include <rigid_body_sim/dynamics/totals.hpp>
 
 #include "dynamics/actuators/actuator_start.hpp"
+#include "dynamics/state_of_world.hpp"
 
 namespace rigid_body_sim {
 
@@ -12,6 +13,7 @@ Totals Totals::unknown() {
 }
 
 Totals totalsOf(const World& world, const State& state) {
+  requireStateOf(world, state);
   if (state.actuators.empty() && hasActuators(world))
     return totalsOf(world, withActuators(world, state));
   Totals sum;

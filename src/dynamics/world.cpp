@@ -2,6 +2,7 @@
 
 #include "dynamics/actuators/actuator_start.hpp"
 #include "dynamics/actuators/actuator_table.hpp"
+#include "dynamics/state_of_world.hpp"
 
 namespace rigid_body_sim {
 
@@ -23,6 +24,7 @@ double spinEnergy(const World& world, const State& given) {
 }  // namespace
 
 double mechanicalEnergy(const World& world, const State& state) {
+  requireStateOf(world, state);
   std::vector<const Body*> bodies;
   double energy = 0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {

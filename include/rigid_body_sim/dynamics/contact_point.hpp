@@ -38,7 +38,8 @@ bool hasContact(const World& world);
 bool hasOneSidedLaw(const World& world);
 
 /// Everything that touches in a state, law by law in the order of World::laws. Empty for a state
-/// without the states of laws: take one that a simulation gave.
+/// without the states of laws: take one that a simulation gave. Throws std::invalid_argument for a
+/// state that cannot be one of the world.
 std::vector<ContactPoint> contactsOf(const World& world, const State& state);
 
 }  // namespace rigid_body_sim

@@ -28,7 +28,8 @@ struct LineForce {
 bool hasLines(const World& world);
 
 /// Those of all springs and tethers, in the order of World::laws. Throws std::invalid_argument for
-/// a state without the states of laws that have some: take one that a simulation gave.
+/// a state without the states of laws that have some: take one that a simulation gave; and for one
+/// that cannot be of the world.
 std::vector<LineForce> lineForcesOf(const World& world, const State& state);
 
 }  // namespace rigid_body_sim

@@ -90,7 +90,7 @@ bool operator==(const BodyChange& a, const BodyChange& b);
 struct State {
   double t = 0;  ///< [s] since the start of the simulation
   /// In the order of World::bodies. Who changes one, or t, clears `anchors` and `plans`: a solved
-  /// motion goes on from its anchor.
+  /// motion goes on from its anchor, and a state elsewhere than that leads is refused.
   std::vector<BodyState> bodies;
   /// Of the laws that have states of their own, law by law in the order of World::laws; empty: as
   /// they start.

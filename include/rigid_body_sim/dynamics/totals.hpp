@@ -17,7 +17,9 @@ struct Totals {
 
 /// What the bodies that move have:
 ///   mechanicalEnergy,   Σ p,   Σ (x × p + L)
-/// Of a body on a pivot p is momentumOf, which the pivot changes, too.
+/// Of a body on a pivot p is momentumOf, which the pivot changes, too. Throws std::invalid_argument
+/// for a state that cannot be one of the world: of other bodies, laws or actuators, or with changes
+/// that the world lacks.
 Totals totalsOf(const World& world, const State& state);
 
 }  // namespace rigid_body_sim

@@ -56,7 +56,7 @@ struct World {
 World withChanges(World world, const std::vector<BodyChange>& changes);
 
 /// Kinetic energy of the bodies that move, with their wheels and rotors, and potential energy of
-/// gravity and of the laws [J].
+/// gravity and of the laws [J]. Throws std::invalid_argument as totalsOf does.
 double mechanicalEnergy(const World& world, const State& state);
 
 }  // namespace rigid_body_sim

@@ -7,6 +7,7 @@
 
 #include "dynamics/contact/ball_contact.hpp"
 #include "dynamics/contact/plane_contact.hpp"
+#include "dynamics/state_of_world.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -73,6 +74,7 @@ bool hasOneSidedLaw(const World& world) {
 
 std::vector<ContactPoint> contactsOf(const World& world, const State& state) {
   std::vector<ContactPoint> contacts;
+  requireStateOf(world, state);
   if (state.laws.empty()) return contacts;
   std::vector<const Body*> bodies;
   for (const Body& body : world.bodies) bodies.push_back(&body);

@@ -6,6 +6,7 @@
 #include <rigid_body_sim/dynamics/world.hpp>
 
 #include "dynamics/laws/line.hpp"
+#include "dynamics/state_of_world.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -50,6 +51,7 @@ bool hasLines(const World& world) {
 }
 
 std::vector<LineForce> lineForcesOf(const World& world, const State& state) {
+  requireStateOf(world, state);
   std::size_t own_count = 0;
   for (const auto& law : world.laws) own_count += law->stateCount();
   if (state.laws.size() != own_count)

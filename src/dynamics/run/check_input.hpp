@@ -24,6 +24,11 @@ void checkPose(const std::string& body, const BodyState& state);
 
 void checkBodyState(const World& world, std::size_t body, const BodyState& state);
 
+/// The state of a body at t [s], where its motion from the anchor leads: to the bit, or as near as
+/// another machine's last digits leave it, where that was anchored.
+void checkFollows(const Body& body, const MotionAnchor& anchor, double t, const BodyState& led,
+                  const BodyState& given);
+
 /// What comes from outside while a run goes on must not make its totals infinite.
 void requireFiniteEnergy(const Body& body, const BodyState& state);
 void checkCommand(const World& world, const ActuatorCommand& command);

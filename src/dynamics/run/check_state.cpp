@@ -5,6 +5,7 @@
 #include "dynamics/max_steps.hpp"
 #include "dynamics/require.hpp"
 #include "dynamics/run/check_input.hpp"
+#include "dynamics/state_of_world.hpp"
 
 /// The rules of a state from which a run begins.
 namespace rigid_body_sim {
@@ -18,18 +19,12 @@ void checkStill(const std::string& body, const BodyState& s) {
 }
 
 void checkActuatorStates(const World& world, const State& state) {
-  if (state.actuators.empty()) return;
-  require(state.actuators.size() == world.bodies.size(),
-          "a state must have actuators for each body, or for none");
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const std::string& body = world.bodies[i].name;
-    require(state.actuators[i].size() == world.bodies[i].actuators.size(), "body '", body,
-            "': a state must have as many actuators as its world");
+  for (std::size_t i = 0; i < state.actuators.size(); ++i)
     for (const ActuatorState& actuator : state.actuators[i])
       require(std::isfinite(actuator.command) && std::isfinite(actuator.value) &&
                   actuator.since <= state.t && !std::isnan(actuator.until),
-              "body '", body, "': states of actuators must be finite and not of the future");
-  }
+              "body '", world.bodies[i].name,
+              "': states of actuators must be finite and not of the future");
 }
 
 void checkSchedules(const World& world, const State& state) {
@@ -98,20 +93,41 @@ void checkAnchors(const World& world, const State& state) {
   }
 }
 
+bool isSame(const BodyState& a, const BodyState& b) {
+  return a.x_W == b.x_W && a.x_low_W == b.x_low_W && a.q_WP.coeffs() == b.q_WP.coeffs() &&
+         a.p_W == b.p_W && a.L_W == b.L_W && a.L_P == b.L_P;
+}
+
+/// Far above what rounding leaves of a motion on another machine, far below what is meant as a
+/// change.
+constexpr double kAgree = 1e-6;
+
 }  // namespace
+
+void checkFollows(const Body& body, const MotionAnchor& anchor, double t, const BodyState& led,
+                  const BodyState& given) {
+  if (isSame(led, given)) return;
+  const BodyState& from = anchor.state;
+  const double seconds = t - anchor.t;
+  const double way = given.p_W.norm() / body.mass * seconds;
+  const double turn = std::max(1., angularVelocity(body.inv_I, given.L_P).norm() * seconds);
+  const double p = std::max(given.p_W.norm(), from.p_W.norm());
+  const double L = std::max(given.L_W.norm(), from.L_W.norm());
+  const bool follows =
+      distanceBetween(led, given) <= kAgree * std::max({given.x_W.norm(), from.x_W.norm(), way}) &&
+      given.q_WP.angularDistance(led.q_WP) <= kAgree * turn &&
+      (given.p_W - led.p_W).norm() <= kAgree * p && (given.L_W - led.L_W).norm() <= kAgree * L &&
+      (given.L_P - led.L_P).norm() <= kAgree * turn * L;
+  require(follows, "body '", body.name,
+          "': its state must be where its anchor leads at t = ", shortest(t),
+          " s: clear the anchors and plans of a state that is changed");
+}
 
 void checkState(const World& world, const State& state) {
   const double h = world.solver.time_step, steps = state.t / h;
   require(steps >= 0 && steps <= kMaxSteps && std::abs(steps - std::round(steps)) <= 1e-6,
           "time must be a multiple of time_step, from 0 to 2^53 of them", Got{state.t});
-  require(state.bodies.size() == world.bodies.size(),
-          "a state must have as many bodies as its world, ", world.bodies.size(), ", got ",
-          state.bodies.size());
-  std::size_t law_states = 0;
-  for (const auto& law : world.laws) law_states += law->stateCount();
-  require(state.laws.empty() || state.laws.size() == law_states,
-          "a state must have as many states of laws as its world, ", law_states, ", got ",
-          state.laws.size());
+  requireStateOf(world, state);
   for (double own : state.laws)
     require(std::isfinite(own), "states of laws must be finite numbers", Got{own});
   require(std::isfinite(state.contact_bound) && state.contact_bound >= 0,

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "dynamics/run/check_input.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -20,6 +22,16 @@ void requireLawsIn(const Groups& groups, const RunState& run) {
       throw std::invalid_argument("law " + std::to_string(law) + " (" +
                                   run.world->laws[law]->name() +
                                   "): one plan must have it, once, as long as it acts");
+}
+
+/// A body alone, whose motion was solved.
+void anchorAsBefore(Group& group, const RunState& run, const State& start) {
+  const std::size_t body = group.members().front();
+  const MotionAnchor& anchor = start.anchors[body];
+  if (!(anchor.horizon > anchor.t)) return;
+  group.anchor(anchor);
+  checkFollows(run.world->bodies[body], anchor, run.time, group.at(run.time, 0),
+               start.bodies[body]);
 }
 
 }  // namespace
@@ -75,9 +87,8 @@ void Grouping::restore(RunState& run, const State& start) {
     const CoupledBodies bodies{plan.bodies, plan.laws, plan.waiting_laws};
     const MethodChoice choice = planner_.asPlanned(*run.world, bodies, run.schedules, plan);
     Group group = formedGroup(run, bodies, start, choice);
-    const MotionAnchor& anchor = start.anchors[bodies.members.front()];
     if (choice.method && plan.at_rest) group.restAsBefore();
-    if (!choice.method && anchor.horizon > anchor.t) group.anchor(anchor);
+    if (!choice.method) anchorAsBefore(group, run, start);
     run.groups.add(std::move(group), run.schedules);
     for (std::size_t body : plan.bodies) unplanned.erase(body);
   }
