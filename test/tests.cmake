@@ -102,6 +102,9 @@ set(program_definitions
   RIGID_BODY_SIM_SWEEP="$<TARGET_FILE:rigid_body_sim_sweep>"
   RIGID_BODY_SIM_TRADE="$<TARGET_FILE:rigid_body_sim_trade>")
 
+# ninja begins targets in this order: what takes longest to compile must not be the last
+include(test/rostests.cmake)
+
 rigid_body_sim_gtest(tools
   FOLDERS tools LIBRARIES rigid_body_sim_plots
   HEADERS_OF rigid_body_sim_node_driver)
@@ -124,5 +127,3 @@ rigid_body_sim_gtest(extremes
   SOURCES test/extremes/test_extremes.cpp LIBRARIES rigid_body_sim_extreme_cases)
 rigid_body_sim_gtest(apart
   WITHOUT_LIBRARIES SOURCES test/extremes/apart.cpp test/extremes/test_apart.cpp LIBRARIES rigid_body_sim_options)
-
-include(test/rostests.cmake)
