@@ -29,6 +29,8 @@ void requireStateOf(const World& world, const State& state) {
           "a state must have as many states of laws as its world, ", law_states, ", got ",
           state.laws.size());
   requireActuatorsOf(world, state);
+  require(state.changes.empty() || state.changes.size() == world.bodies.size(),
+          "a state must have changes for each body, or for none");
   const bool changed = std::any_of(state.changes.begin(), state.changes.end(),
                                    [](const BodyChange& change) { return change.any(); });
   require(!changed || world.unchanged,

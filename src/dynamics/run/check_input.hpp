@@ -29,6 +29,9 @@ void checkBodyState(const World& world, std::size_t body, const BodyState& state
 void checkFollows(const Body& body, const MotionAnchor& anchor, double t, const BodyState& led,
                   const BodyState& given);
 
+/// A state that a run takes over has fixed bodies where the run began with them.
+void checkFixed(const World& world, const State& given, const State& start);
+
 /// What comes from outside while a run goes on must not make its totals infinite.
 void requireFiniteEnergy(const Body& body, const BodyState& state);
 void checkCommand(const World& world, const ActuatorCommand& command);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "dynamics/max_steps.hpp"
@@ -98,9 +99,19 @@ bool isSame(const BodyState& a, const BodyState& b) {
          a.p_W == b.p_W && a.L_W == b.L_W && a.L_P == b.L_P;
 }
 
-/// Far above what rounding leaves of a motion on another machine, far below what is meant as a
-/// change.
-constexpr double kAgree = 1e-6;
+/// Far above what rounding on another machine leaves of what a motion has changed, far below what
+/// is meant as a change.
+constexpr double kAgree = 1e-9;
+/// The same of large numbers that motions are added to: places, and angles of many turns.
+constexpr double kRounding = 1e-12;
+
+/// Whether a time is n steps, as a run has it: the product, rounded, of which the quotient is
+/// again.
+bool isSteps(double steps) {
+  constexpr double kNear = 1e-6, kUlps = 4 * std::numeric_limits<double>::epsilon();
+  return steps >= 0 && steps <= kMaxSteps &&
+         std::abs(steps - std::round(steps)) <= std::max(kNear, kUlps * steps);
+}
 
 }  // namespace
 
@@ -109,23 +120,33 @@ void checkFollows(const Body& body, const MotionAnchor& anchor, double t, const 
   if (isSame(led, given)) return;
   const BodyState& from = anchor.state;
   const double seconds = t - anchor.t;
-  const double way = given.p_W.norm() / body.mass * seconds;
-  const double turn = std::max(1., angularVelocity(body.inv_I, given.L_P).norm() * seconds);
   const double p = std::max(given.p_W.norm(), from.p_W.norm());
   const double L = std::max(given.L_W.norm(), from.L_W.norm());
+  const double place =
+      kAgree * p / body.mass * seconds + kRounding * std::max(given.x_W.norm(), from.x_W.norm());
+  const double turn = kAgree + kRounding * angularVelocity(body.inv_I, given.L_P).norm() * seconds;
   const bool follows =
-      distanceBetween(led, given) <= kAgree * std::max({given.x_W.norm(), from.x_W.norm(), way}) &&
-      given.q_WP.angularDistance(led.q_WP) <= kAgree * turn &&
+      distanceBetween(led, given) <= place && given.q_WP.angularDistance(led.q_WP) <= turn &&
       (given.p_W - led.p_W).norm() <= kAgree * p && (given.L_W - led.L_W).norm() <= kAgree * L &&
-      (given.L_P - led.L_P).norm() <= kAgree * turn * L;
+      (given.L_P - led.L_P).norm() <= turn * L;
   require(follows, "body '", body.name,
           "': its state must be where its anchor leads at t = ", shortest(t),
           " s: clear the anchors and plans of a state that is changed");
 }
 
+void checkFixed(const World& world, const State& given, const State& start) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (!world.bodies[i].fixed) continue;
+    const BodyState &a = given.bodies[i], &b = start.bodies[i];
+    require(distanceBetween(a, b) <= kRounding * b.x_W.norm() &&
+                a.q_WP.angularDistance(b.q_WP) <= kAgree,
+            "body '", world.bodies[i].name,
+            "' is fixed: a state must have it where the run has it");
+  }
+}
+
 void checkState(const World& world, const State& state) {
-  const double h = world.solver.time_step, steps = state.t / h;
-  require(steps >= 0 && steps <= kMaxSteps && std::abs(steps - std::round(steps)) <= 1e-6,
+  require(isSteps(state.t / world.solver.time_step),
           "time must be a multiple of time_step, from 0 to 2^53 of them", Got{state.t});
   requireStateOf(world, state);
   for (double own : state.laws)

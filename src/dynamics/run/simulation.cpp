@@ -187,6 +187,7 @@ void Simulation::load(const State& state) {
     checkState(world(), state);
   else
     checkState(withChanges(world(), state.changes), state);
+  checkFixed(world(), state, *parts_->run.now().start);
   parts_->run.load(state);
   parts_->begin();
 }

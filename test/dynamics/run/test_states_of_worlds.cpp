@@ -88,6 +88,55 @@ TEST(ChangedState, IsGoneOnFromOnceItsAnchorsAreCleared) {
   }
 }
 
+// what far places and many turns leave in their last digits is no room for changes
+TEST(ChangedState, IsRefusedFarFromTheOriginAndAfterManyTurns) {
+  Bench bench;
+  bench.add(test::principalBody("probe", 2, {1, 2, 2.5}),
+            test::tumbling({100, 0, 0}, {0.1, 0.2, 2e4}));
+  bench.initial.bodies[0].x_W.x() = 7e6;
+  Simulation sim = bench.simulation("auto", 0.01);
+  sim.step(20000);
+  State moved = sim.state(), turned = sim.state();
+  EXPECT_EQ(answerOf([&] { Simulation(sim.world(), moved); }), "taken");
+  moved.bodies[0].x_W.y() += 5;
+  turned.bodies[0].L_P = -turned.bodies[0].L_P;
+  for (const State* changed : {&moved, &turned})
+    EXPECT_NE(answerOf([&] { Simulation(sim.world(), *changed); }).find("where its anchor leads"),
+              std::string::npos);
+}
+
+TEST(ChangedState, HasFixedBodiesWhereTheRunHasThem) {
+  Bench bench;
+  bench.add(test::principalBody("ground", 2, {1, 2, 2.5}), BodyFrameMotion());
+  bench.add(test::principalBody("box", 2, {1, 2, 2.5}), test::tumbling({1, 0, 0}, {0.5, 1, 0.2}));
+  bench.fix(0);
+  Simulation sim = bench.simulation("auto", 0.01);
+  sim.step();
+  State changed = sim.state();
+  EXPECT_EQ(answerOf([&] { sim.load(changed); }), "taken");
+  changed.bodies[0].x_W.x() += 5;
+  EXPECT_EQ(answerOf([&] { sim.load(changed); }),
+            "body 'ground' is fixed: a state must have it where the run has it");
+  EXPECT_EQ(Simulation(sim.world(), changed).body(0).x_W.x(), 5);
+}
+
+// the quotient of a time and a step is off by its last digit, which is a larger number there
+TEST(ChangedState, IsGoneOnFromAfterTenThousandMillionSteps) {
+  Bench bench;
+  bench.add(test::principalBody("slow", 1, {1, 2, 2.5}), test::tumbling({0, 0, 0}, {0, 0, 1e-6}));
+  for (double n : {13422438872., 10737554832., 1e13}) {
+    State late = bench.initial;
+    late.t = n * 0.01;
+    Bench at = bench;
+    at.initial = late;
+    Simulation sim = at.simulation("auto", 0.01);
+    for (int i = 0; i < 20; ++i) {
+      sim.step();
+      EXPECT_EQ(answerOf([&] { Simulation(sim.world(), sim.state()); }), "taken") << sim.time();
+    }
+  }
+}
+
 // what rounds differently may have written it
 TEST(ChangedState, IsTakenWhereLastDigitsDiffer) {
   const Simulation sim = tumbling();
@@ -122,6 +171,9 @@ TEST(StateOfAnotherWorld, IsNotReadBeyondItsEnds) {
   expectAnswer(fewer_bodies, "a state must have as many bodies as its world, 2, got 1");
   expectAnswer(fewer_laws, "a state must have as many states of laws as its world, " + count +
                                ", got " + one_less);
+  State of_many = changed;
+  of_many.changes.resize(9);
+  expectAnswer(of_many, "a state must have changes for each body, or for none");
   expectAnswer(changed,
                "the state has changes of bodies which the world lacks: take the world that the "
                "simulation gives, or withChanges");
