@@ -103,7 +103,7 @@ bool isSame(const BodyState& a, const BodyState& b) {
 /// is meant as a change.
 constexpr double kAgree = 1e-9;
 /// The same of large numbers that motions are added to: places, and angles of many turns.
-constexpr double kRounding = 1e-12;
+constexpr double kOfLarge = 1e-12;
 
 /// Whether a time is n steps, as a run has it: the product, rounded, of which the quotient is
 /// again.
@@ -123,8 +123,8 @@ void checkFollows(const Body& body, const MotionAnchor& anchor, double t, const 
   const double p = std::max(given.p_W.norm(), from.p_W.norm());
   const double L = std::max(given.L_W.norm(), from.L_W.norm());
   const double place =
-      kAgree * p / body.mass * seconds + kRounding * std::max(given.x_W.norm(), from.x_W.norm());
-  const double turn = kAgree + kRounding * angularVelocity(body.inv_I, given.L_P).norm() * seconds;
+      kAgree * p / body.mass * seconds + kOfLarge * std::max(given.x_W.norm(), from.x_W.norm());
+  const double turn = kAgree + kOfLarge * angularVelocity(body.inv_I, given.L_P).norm() * seconds;
   const bool follows =
       distanceBetween(led, given) <= place && given.q_WP.angularDistance(led.q_WP) <= turn &&
       (given.p_W - led.p_W).norm() <= kAgree * p && (given.L_W - led.L_W).norm() <= kAgree * L &&
@@ -138,7 +138,7 @@ void checkFixed(const World& world, const State& given, const State& start) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (!world.bodies[i].fixed) continue;
     const BodyState &a = given.bodies[i], &b = start.bodies[i];
-    require(distanceBetween(a, b) <= kRounding * b.x_W.norm() &&
+    require(distanceBetween(a, b) <= kOfLarge * b.x_W.norm() &&
                 a.q_WP.angularDistance(b.q_WP) <= kAgree,
             "body '", world.bodies[i].name,
             "' is fixed: a state must have it where the run has it");
