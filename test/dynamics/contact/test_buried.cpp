@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/contact_benches.hpp"
+#include "support/refusal.hpp"
 
 /// Bodies that are put below the ground with all of them: one clear line, and no run without end.
 namespace rigid_body_sim {
@@ -13,6 +14,7 @@ namespace {
 using test::Bench;
 using test::contactOf;
 using test::motionAt;
+using test::refusalOf;
 
 /// [m] Where the centre of a ball of 0.1 m is.
 Bench ballAt(double height) {
@@ -21,16 +23,6 @@ Bench ballAt(double height) {
   test::addBall(bench, 0.1, 1, motionAt({0, 0, height}), test::slope(0),
                 contactOf(1e6, 1.5, 0.2, 0.5));
   return bench;
-}
-
-template <class F>
-std::string refusalOf(const F& f) {
-  try {
-    f();
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return "";
 }
 
 TEST(Buried, IsRefusedAtTheStart) {

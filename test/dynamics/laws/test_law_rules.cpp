@@ -13,18 +13,11 @@
 #include <rigid_body_sim/dynamics/medium_drag.hpp>
 #include <rigid_body_sim/dynamics/tether.hpp>
 
+#include "support/refusal.hpp"
+
 /// A law whose constants break a rule cannot be made.
 namespace rigid_body_sim {
 namespace {
-
-std::string lawRefusal(const std::function<void()>& make) {
-  try {
-    make();
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return "";
-}
 
 const Spring::End kInWorld{kWorld, {0, 0, 1}}, kOnBody{0, {0, 0, 0}};
 
@@ -34,7 +27,7 @@ const std::vector<double> kNoNumbers{std::numeric_limits<double>::quiet_NaN(),
 
 TEST(LawRules, OfASpring) {
   const auto refusal = [](const Spring::Constants& constants) {
-    return lawRefusal([&] { Spring(kInWorld, kOnBody, constants); });
+    return test::refusalOf([&] { Spring(kInWorld, kOnBody, constants); });
   };
   EXPECT_EQ(refusal({0, 0, 0}), "");
   EXPECT_EQ(refusal({-1, 0, 0}), "law 'spring': stiffness must be >= 0 N/m and finite, got -1");
@@ -49,7 +42,7 @@ TEST(LawRules, OfASpring) {
 
 TEST(LawRules, OfATether) {
   const auto refusal = [](const Tether::Constants& constants) {
-    return lawRefusal([&] { Tether(kInWorld, kOnBody, constants); });
+    return test::refusalOf([&] { Tether(kInWorld, kOnBody, constants); });
   };
   EXPECT_EQ(refusal({1, 0, 1}), "");
   EXPECT_EQ(refusal({0, 0, 1}), "law 'tether': stiffness must be > 0 N/m and finite, got 0");
@@ -64,8 +57,8 @@ TEST(LawRules, OfATether) {
 
 TEST(LawRules, OfTheEndsOfALine) {
   const auto refusal = [](const Spring::End& from, const Spring::End& to) {
-    const std::string of_tether = lawRefusal([&] { Tether(from, to, {1, 0, 1}); });
-    EXPECT_EQ(of_tether.empty(), lawRefusal([&] { Spring(from, to, {1, 0, 1}); }).empty());
+    const std::string of_tether = test::refusalOf([&] { Tether(from, to, {1, 0, 1}); });
+    EXPECT_EQ(of_tether.empty(), test::refusalOf([&] { Spring(from, to, {1, 0, 1}); }).empty());
     return of_tether;
   };
   EXPECT_EQ(refusal(kOnBody, {1, {0, 0, 0}}), "");
@@ -78,7 +71,7 @@ TEST(LawRules, OfTheEndsOfALine) {
 
 TEST(LawRules, OfDrag) {
   const auto refusal = [](const Drag::Coefficients& coefficients) {
-    return lawRefusal([&] { Drag(0, coefficients); });
+    return test::refusalOf([&] { Drag(0, coefficients); });
   };
   EXPECT_EQ(refusal({1, 2, 3}), "");
   EXPECT_EQ(refusal({-1, 0, 0}), "law 'drag': linear must be >= 0 N s/m and finite, got -1");
@@ -93,7 +86,7 @@ TEST(LawRules, OfDragInAMedium) {
     coefficients.linear.axes = {1, 0, 2};
     Vector3d medium_W(1, 0, 0);
     change(coefficients, medium_W);
-    return lawRefusal([&] { MediumDrag(0, coefficients, medium_W); });
+    return test::refusalOf([&] { MediumDrag(0, coefficients, medium_W); });
   };
   using Coefficients = MediumDrag::Coefficients;
   EXPECT_EQ(refusal([](Coefficients&, Vector3d&) {}), "");
@@ -110,23 +103,23 @@ TEST(LawRules, OfDragInAMedium) {
 }
 
 TEST(LawRules, OfCentralGravityAndBuoyancy) {
-  EXPECT_EQ(lawRefusal([] {
+  EXPECT_EQ(test::refusalOf([] {
               CentralGravity(0, {0, 0, 0}, 0, false);
             }),
             "law 'central gravity': mu must be > 0 m^3/s^2 and finite, got 0");
-  EXPECT_EQ(lawRefusal([] {
+  EXPECT_EQ(test::refusalOf([] {
               CentralGravity(0, {0, NAN, 0}, 1, false);
             }),
             "law 'central gravity': center must be finite");
-  EXPECT_EQ(lawRefusal([] {
+  EXPECT_EQ(test::refusalOf([] {
               Buoyancy(0, -1, {0, 0, 0}, {0, 0, -9.8});
             }),
             "law 'buoyancy': the mass displaced must be >= 0 kg and finite, got -1");
-  EXPECT_EQ(lawRefusal([] {
+  EXPECT_EQ(test::refusalOf([] {
               Buoyancy(0, 1, {0, 0, NAN}, {0, 0, -9.8});
             }),
             "law 'buoyancy': the centroid must be finite");
-  EXPECT_EQ(lawRefusal([] {
+  EXPECT_EQ(test::refusalOf([] {
               Buoyancy(0, 1, {0, 0, 0}, {0, 0, NAN});
             }),
             "law 'buoyancy': gravity must be finite");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/motor_benches.hpp"
+#include "support/refusal.hpp"
 
 /// Commands: their instants, limits and ends; what a state keeps of them; who is refused.
 namespace rigid_body_sim {
@@ -33,12 +34,7 @@ void stepTo(Simulation& sim, std::int64_t steps) {
 }
 
 std::string refusalOf(Simulation& sim, const ActuatorCommand& command) {
-  try {
-    sim.apply(CommandInput{command});
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return "";
+  return test::refusalOf([&] { sim.apply(CommandInput{command}); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <rigid_body_sim/dynamics/tether.hpp>
 
 #include "support/contact_benches.hpp"
+#include "support/refusal.hpp"
 #include "support/worlds.hpp"
 
 /// States of laws that a file may hold and no run has.
@@ -13,12 +14,7 @@ namespace {
 using test::Bench;
 
 std::string faultOfState(const Simulation& sim, const State& state) {
-  try {
-    Simulation(sim.world(), state);
-  } catch (const std::invalid_argument& refused) {
-    return refused.what();
-  }
-  return "";
+  return test::refusalOf([&] { Simulation(sim.world(), state); });
 }
 
 /// A box that lies on the ground, a ball that touches it from above, on a tether, in a wind.

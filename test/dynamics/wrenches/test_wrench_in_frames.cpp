@@ -6,6 +6,8 @@
 
 #include <rigid_body_sim/dynamics/wrench_in_frames.hpp>
 
+#include "support/refusal.hpp"
+
 namespace rigid_body_sim {
 namespace {
 
@@ -44,12 +46,7 @@ struct WrenchInFrames : testing::Test {
   }
 
   std::string refusal(std::size_t body, const Vector3d& force) const {
-    try {
-      wrenchInBodyAxes(bodies, body, force, kTorque, kPoint_B);
-    } catch (const std::invalid_argument& refused) {
-      return refused.what();
-    }
-    return "";
+    return test::refusalOf([&] { wrenchInBodyAxes(bodies, body, force, kTorque, kPoint_B); });
   }
 
   const Matrix3d R_WB =
