@@ -4,9 +4,8 @@
 
 namespace rigid_body_sim {
 
-/// Whether a state can be one of the world: bodies, states of laws and of actuators are as many,
-/// and the world has the changes that the state has. Throws std::invalid_argument, one line, where
-/// not.
+/// Throws std::invalid_argument, one line, unless a state can be one of the world: it has as many
+/// bodies, states of laws and of actuators, and no changes where the world has none.
 void requireStateOf(const World& world, const State& state);
 
 }  // namespace rigid_body_sim

@@ -24,8 +24,8 @@ void checkPose(const std::string& body, const BodyState& state);
 
 void checkBodyState(const World& world, std::size_t body, const BodyState& state);
 
-/// The state of a body at t [s], where its motion from the anchor leads: to the bit, or as near as
-/// another machine's last digits leave it, where that was anchored.
+/// The given state of a body at t [s] must be the one that its motion from the anchor has led to:
+/// to the bit, or but for last digits, where another machine has written it.
 void checkFollows(const Body& body, const MotionAnchor& anchor, double t, const BodyState& led,
                   const BodyState& given);
 
