@@ -4,6 +4,7 @@
 #include "dynamics/packs/most_lanes.hpp"
 #include "dynamics/packs/pack_steps.hpp"
 #include "dynamics/packs/pack_target.hpp"
+#include "math/sanitizers.hpp"
 
 // One source for every width: pack_steps.hpp is compiled for each instruction set by the attribute
 // `target`, and chosen at run time. No multiplication and addition are contracted, so that all
@@ -81,12 +82,12 @@ void widest(const double* h, int count, PackBlock* blocks, const PushBlock* push
 std::vector<PackKernels> kernelsOfThisProcessor() {
   std::vector<PackKernels> kernels{{1, "", RIGID_BODY_SIM_PACK_STEPS(narrow, double)},
                                    {2, "", RIGID_BODY_SIM_PACK_STEPS(narrow, Pack<2>)}};
-#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && !defined(RIGID_BODY_SIM_THREAD_SANITIZER)
   if (__builtin_cpu_supports("avx2")) {
     kernels.push_back({4, "AVX2", RIGID_BODY_SIM_PACK_STEPS(wide, Pack<4>)});
     kernels.push_back({8, "AVX2", RIGID_BODY_SIM_PACK_STEPS(wide, Twin<4>)});
   }
-#if !defined(__SANITIZE_ADDRESS__)  // what it reads and writes is that of the narrower
+#if !defined(RIGID_BODY_SIM_ADDRESS_SANITIZER)  // what it reads and writes is that of the narrower
   if (__builtin_cpu_supports("avx512f"))
     kernels.push_back({16, "AVX-512", RIGID_BODY_SIM_PACK_STEPS(widest, Twin<8>)});
 #endif

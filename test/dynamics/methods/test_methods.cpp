@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/methods/catalogue.hpp"
+#include "math/sanitizers.hpp"
 #include "support/ladder.hpp"
 #include "support/method_cases.hpp"
 
@@ -156,7 +157,7 @@ TEST_P(EveryMethod, KeepsAngularMomentumToTheLastBitIfItSaysSo) {
   EXPECT_EQ(end.bodies[0].p_W, bench.initial.bodies[0].p_W);
 }
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(RIGID_BODY_SIM_ADDRESS_SANITIZER)
 constexpr int kLongRun = 20000;  // steps; sanitizers look at the code, not at the drift
 #else
 constexpr int kLongRun = 200000;

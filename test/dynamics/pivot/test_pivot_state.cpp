@@ -4,6 +4,7 @@
 
 #include <rigid_body_sim/dynamics/contact.hpp>
 
+#include "math/sanitizers.hpp"
 #include "support/method_cases.hpp"
 
 /// What the state of a body on a pivot holds, and what others read from it.
@@ -12,7 +13,7 @@ namespace {
 
 using test::Bench;
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(RIGID_BODY_SIM_ADDRESS_SANITIZER)
 constexpr int kManySteps = 20000;  // sanitizers look at the code, not at the drift
 #else
 constexpr int kManySteps = 1000000;
