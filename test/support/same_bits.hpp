@@ -3,13 +3,12 @@
 #include <array>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/simulation.hpp>
-
-#include "support/worlds.hpp"
 
 /// States that agree to the last bit, the signs of zeros included.
 namespace rigid_body_sim::test {
@@ -45,9 +44,12 @@ inline void expectSameBits(const Simulation& a, const Simulation& b) {
 }
 
 /// Of all bodies at once, by two threads, and of each by itself.
-inline void expectBodiesReadByTwoThreads(Bench bench, const std::string& integrator) {
-  bench.world.solver.threads = 2;
-  Simulation simulation = bench.simulation(integrator, 0.01);
+inline void expectBodiesReadByTwoThreads(World world, const State& start,
+                                         const std::string& integrator) {
+  world.solver.threads = 2;
+  world.solver.integrator = integrator;
+  world.solver.time_step = 0.01;
+  Simulation simulation(std::move(world), start);
   simulation.step(3);
   const std::vector<BodyState> states = simulation.bodies();
   for (std::size_t i = 0; i < states.size(); ++i)

@@ -124,7 +124,8 @@ TEST(PackedRuns, AreReadWhileTheyAreSteppedWithTheSameBits) {
 
 // so many bodies that two threads are worthwhile
 TEST(PackedRuns, AreReadByThreadsWithTheSameBits) {
-  test::expectBodiesReadByTwoThreads(thrownBodies(32771), "semi_implicit_euler");
+  const test::Bench bench = thrownBodies(32771);
+  test::expectBodiesReadByTwoThreads(bench.world, bench.initial, "semi_implicit_euler");
 }
 
 TEST(PackedRuns, TakeInputsInTheMiddle) {

@@ -1,18 +1,23 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <random>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/dynamics/simulation.hpp>
+#include <rigid_body_sim/mass/shapes.hpp>
+
 #include "dynamics/packs/in_parts.hpp"
-#include "support/many_bodies.hpp"
 #include "support/same_bits.hpp"
 
-/// Run by scripts/test under the thread sanitizer, too.
+/// Run by scripts/test under the thread sanitizer, too, and thus without the library of the tests'
+/// support: all of it would be compiled once more.
 namespace rigid_body_sim {
 namespace {
 
@@ -70,11 +75,48 @@ TEST(Parts, AreNoMoreThanTheWorkIsWorth) {
   EXPECT_EQ(worthwhileThreads(4, 1000, 100), 4u);
 }
 
+struct Thrown {
+  World world;
+  State start;
+};
+
+/// Under gravity: boxes, and every fifth a body of two or three equal moments.
+Thrown thrownBodies(std::size_t count) {
+  std::mt19937 random(1);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto vector = [&](double size) {
+    Vector3d v;
+    for (int k = 0; k < 3; ++k) v[k] = uniform(-size, size);
+    return v;
+  };
+  Thrown thrown;
+  thrown.world.g_W = {0, 0, -9.81};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector3d edges{uniform(0.3, 1), uniform(0.3, 1), uniform(0.3, 1)};
+    MassProperties properties = massProperties(Box{edges}, uniform(0.5, 5));
+    if (i % 5 == 4) {
+      const Vector3d moments[]{{1, 1, 1}, {1, 1, 1.5}, {0.5, 1, 1}};
+      properties = {1, Vector3d::Zero(), moments[i / 5 % 3].asDiagonal()};
+    }
+    BodyFrameMotion motion;
+    motion.x_W = vector(1);
+    motion.q_WB = rotationExp(vector(2));
+    motion.v_W = vector(1);
+    motion.w_W = vector(5);
+    thrown.world.bodies.push_back(makeBody("body" + std::to_string(i), properties));
+    thrown.start.bodies.push_back(toBodyState(thrown.world.bodies.back(), motion));
+  }
+  return thrown;
+}
+
 /// All states after so many steps, by so many threads.
-std::vector<BodyState> run(test::Bench bench, const std::string& integrator, int threads,
-                           int steps) {
-  bench.world.solver.threads = threads;
-  Simulation simulation = bench.simulation(integrator, 0.01);
+std::vector<BodyState> run(Thrown thrown, const std::string& integrator, int threads, int steps) {
+  thrown.world.solver.threads = threads;
+  thrown.world.solver.integrator = integrator;
+  thrown.world.solver.time_step = 0.01;
+  Simulation simulation(std::move(thrown.world), thrown.start);
   std::vector<BodyState> states, again;
   simulation.step(steps, states);
   simulation.readBodies(again);
@@ -82,11 +124,11 @@ std::vector<BodyState> run(test::Bench bench, const std::string& integrator, int
   return states;
 }
 
-void expectSameBitsByThreads(const test::Bench& bench, const std::string& integrator, int steps,
+void expectSameBitsByThreads(const Thrown& thrown, const std::string& integrator, int steps,
                              const std::vector<int>& numbers) {
-  const std::vector<BodyState> alone = run(bench, integrator, 1, steps);
+  const std::vector<BodyState> alone = run(thrown, integrator, 1, steps);
   for (const int threads : numbers) {
-    const std::vector<BodyState> parted = run(bench, integrator, threads, steps);
+    const std::vector<BodyState> parted = run(thrown, integrator, threads, steps);
     ASSERT_EQ(parted.size(), alone.size());
     for (std::size_t i = 0; i < alone.size(); ++i)
       ASSERT_TRUE(test::sameBits(parted[i], alone[i])) << integrator << ", body " << i;
@@ -95,20 +137,23 @@ void expectSameBitsByThreads(const test::Bench& bench, const std::string& integr
 
 // so many body-steps that seven threads are worthwhile
 TEST(Threads, StepPacksToTheSameBits) {
-  test::Bench bench = test::thrownBodies(1805);
-  PointWrench turn = test::worldForce({1, -2, 3}, 0, 10);
+  Thrown thrown = thrownBodies(1805);
+  PointWrench turn;
+  turn.force = {1, -2, 3};
+  turn.end = 10;
   turn.torque = {0.1, 0.2, -0.1};
   for (turn.body = 3; turn.body < 100; turn.body += 7) {
     turn.point_frame = turn.body;
-    bench.world.wrenches.push_back(turn);
+    thrown.world.wrenches.push_back(turn);
   }
-  for (const std::string& integrator : test::packedIntegrators())
-    expectSameBitsByThreads(bench, integrator, 70, {2, 7});
+  for (const std::string integrator : {"semi_implicit_euler", "strang", "magnus4", "rk4"})
+    expectSameBitsByThreads(thrown, integrator, 70, {2, 7});
 }
 
 // so many bodies that two threads are worthwhile
 TEST(Threads, ReadManyBodiesToTheSameBits) {
-  test::expectBodiesReadByTwoThreads(test::thrownBodies(8203), "auto");
+  const Thrown thrown = thrownBodies(8203);
+  test::expectBodiesReadByTwoThreads(thrown.world, thrown.start, "auto");
 }
 
 }  // namespace
