@@ -11,19 +11,20 @@ endfunction()
 # Programs that print a table; they need nothing else.
 foreach(name long_run many motors roofline step_cost touch_cost)
   rigid_body_sim_benchmark(benchmark_${name}
-    SOURCES test/benchmark/${name}.cpp LIBRARIES rigid_body_sim_core)
+    SOURCES test/benchmark/${name}.cpp LIBRARIES rigid_body_sim_test_support)
 endforeach()
 # the map of the extremes: scripts/extremes
 rigid_body_sim_benchmark(extremes
   SOURCES test/extremes/extremes.cpp LIBRARIES rigid_body_sim_extreme_cases)
 # counted, not timed: scripts/count_instructions
 rigid_body_sim_benchmark(instructions
-  SOURCES test/benchmark/instructions.cpp LIBRARIES rigid_body_sim_core)
+  SOURCES test/benchmark/instructions.cpp LIBRARIES rigid_body_sim_test_support)
 include(test/benchmark/peers.cmake)
 find_package(benchmark)
 if(benchmark_FOUND)
   foreach(name mesh_mass free_top taylor)
     rigid_body_sim_benchmark(benchmark_${name}
-      SOURCES test/benchmark/${name}.cpp LIBRARIES rigid_body_sim_scene benchmark::benchmark)
+      SOURCES test/benchmark/${name}.cpp
+      LIBRARIES rigid_body_sim_scene rigid_body_sim_test_support benchmark::benchmark)
   endforeach()
 endif()

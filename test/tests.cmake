@@ -69,17 +69,22 @@ function(rigid_body_sim_gtest name)
 endfunction()
 
 rigid_body_sim_gtest(math FOLDERS math LIBRARIES rigid_body_sim_core)
+if(NOT RIGID_BODY_SIM_SANITIZE)  # as above; the tests of math, whose header it is, do without it
+  target_compile_definitions(rigid_body_sim_test_support PRIVATE GTEST_HAS_PTHREAD=1)
+  target_precompile_headers(rigid_body_sim_test_support REUSE_FROM rigid_body_sim_test_math)
+endif()
 rigid_body_sim_gtest(mass FOLDERS mass LIBRARIES rigid_body_sim_core)
-rigid_body_sim_gtest(rotation FOLDERS dynamics/rotation LIBRARIES rigid_body_sim_core)
-rigid_body_sim_gtest(taylor FOLDERS dynamics/taylor LIBRARIES rigid_body_sim_core)
+rigid_body_sim_gtest(rotation FOLDERS dynamics/rotation LIBRARIES rigid_body_sim_test_support)
+rigid_body_sim_gtest(taylor FOLDERS dynamics/taylor LIBRARIES rigid_body_sim_test_support)
 rigid_body_sim_gtest(dynamics
   FOLDERS dynamics/laws dynamics/methods dynamics/run dynamics/wrenches
-  LIBRARIES rigid_body_sim_core)
-rigid_body_sim_gtest(contact FOLDERS dynamics/contact LIBRARIES rigid_body_sim_core)
-rigid_body_sim_gtest(packs FOLDERS dynamics/packs LIBRARIES rigid_body_sim_core)
-rigid_body_sim_gtest(pivot FOLDERS dynamics/pivot LIBRARIES rigid_body_sim_core)
-rigid_body_sim_gtest(imu FOLDERS dynamics/imu LIBRARIES rigid_body_sim_core)
-rigid_body_sim_gtest(motors FOLDERS dynamics/motors LIBRARIES rigid_body_sim_core)
+  LIBRARIES rigid_body_sim_test_support)
+rigid_body_sim_gtest(contact FOLDERS dynamics/contact LIBRARIES rigid_body_sim_test_support)
+rigid_body_sim_gtest(packs FOLDERS dynamics/packs LIBRARIES rigid_body_sim_test_support)
+rigid_body_sim_gtest(pivot FOLDERS dynamics/pivot LIBRARIES rigid_body_sim_test_support)
+rigid_body_sim_gtest(imu FOLDERS dynamics/imu LIBRARIES rigid_body_sim_test_support)
+rigid_body_sim_gtest(motors FOLDERS dynamics/motors LIBRARIES rigid_body_sim_test_support)
+# without the library of the support, which the build under the thread sanitizer does not need
 rigid_body_sim_gtest(threads FOLDERS dynamics/threads LIBRARIES rigid_body_sim_core)
 rigid_body_sim_gtest(scene FOLDERS scene LIBRARIES rigid_body_sim_scene)
 target_include_directories(rigid_body_sim_test_scene SYSTEM PRIVATE ${URDF_MODEL_INCLUDE_DIR})
@@ -106,12 +111,13 @@ set(program_definitions
 include(test/rostests.cmake)
 
 rigid_body_sim_gtest(tools
-  FOLDERS tools LIBRARIES rigid_body_sim_plots
+  FOLDERS tools LIBRARIES rigid_body_sim_plots rigid_body_sim_test_support
   HEADERS_OF rigid_body_sim_node_driver)
 target_compile_definitions(rigid_body_sim_test_tools PRIVATE ${program_definitions})
 add_dependencies(rigid_body_sim_test_tools ${programs})
 
-rigid_body_sim_gtest(trade FOLDERS tools/trade LIBRARIES rigid_body_sim_tools)
+rigid_body_sim_gtest(trade
+  FOLDERS tools/trade LIBRARIES rigid_body_sim_tools rigid_body_sim_test_support)
 target_compile_definitions(rigid_body_sim_test_trade PRIVATE ${program_definitions})
 add_dependencies(rigid_body_sim_test_trade rigid_body_sim_trade)
 

@@ -17,7 +17,7 @@ rigid_body_sim_benchmark(benchmark_crowds
 rigid_body_sim_benchmark(benchmark_touch_peers
   SOURCES test/benchmark/touch_peers.cpp test/benchmark/touch_peers_ours.cpp
           test/benchmark/touch_peers_rattleback.cpp
-  LIBRARIES rigid_body_sim_core)
+  LIBRARIES rigid_body_sim_test_support)
 # each engine has names and macros of its own
 set_target_properties(rigid_body_sim_benchmark_peers rigid_body_sim_benchmark_crowds
   rigid_body_sim_benchmark_touch_peers rigid_body_sim_extremes_engines PROPERTIES UNITY_BUILD OFF)

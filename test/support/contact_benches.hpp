@@ -1,107 +1,42 @@
 #pragma once
 
-#include <cmath>
-#include <string>
-
 #include <rigid_body_sim/dynamics/contact.hpp>
-#include <rigid_body_sim/mass/shapes.hpp>
 
-#include "dynamics/run/contact_bound.hpp"
 #include "support/worlds.hpp"
 
 /// Bodies that touch planes and one another.
 namespace rigid_body_sim::test {
 
-inline ContactShape ballShape(double radius) {
-  ContactShape shape;
-  shape.balls.push_back({Vector3d::Zero(), radius});
-  return shape;
-}
+ContactShape ballShape(double radius);
 
 /// The corners of a box, in axes in which its principal axes are its own.
-inline ContactShape cornersOf(const Body& body, const Vector3d& size) {
-  ContactShape shape;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vector3d signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-    shape.points.push_back(body.X_BP.inverse() * Vector3d(0.5 * signs.cwiseProduct(size)));
-  }
-  return shape;
-}
+ContactShape cornersOf(const Body& body, const Vector3d& size);
 
-inline ContactParameters contactOf(double stiffness, double exponent, double dissipation,
-                                   double friction) {
-  ContactParameters parameters;
-  parameters.stiffness = stiffness;
-  parameters.exponent = exponent;
-  parameters.dissipation = dissipation;
-  parameters.friction = friction;
-  return parameters;
-}
+ContactParameters contactOf(double stiffness, double exponent, double dissipation, double friction);
 
 /// A plane through the origin that falls off along x by an angle [rad].
-inline HalfSpace slope(double angle) {
-  HalfSpace plane;
-  plane.q_WH = rotationExp(Vector3d(0, angle, 0));
-  return plane;
-}
+HalfSpace slope(double angle);
 
 /// Adds a ball and its contact with a plane; its motion is of its centre.
-inline std::size_t addBall(Bench& bench, double radius, double mass, const BodyFrameMotion& motion,
-                           const HalfSpace& plane, const ContactParameters& parameters) {
-  const std::string name = "ball" + std::to_string(bench.world.bodies.size());
-  const std::size_t ball = bench.add(makeBody(name, massProperties(Sphere{radius}, mass)), motion);
-  bench.world.laws.push_back(
-      contactWithHalfSpace(bench.world.bodies, ball, ballShape(radius), plane, parameters));
-  return ball;
-}
+std::size_t addBall(Bench& bench, double radius, double mass, const BodyFrameMotion& motion,
+                    const HalfSpace& plane, const ContactParameters& parameters);
 
 /// Contact between two balls of a bench.
-inline void letTouch(Bench& bench, std::size_t a, double radius_a, std::size_t b, double radius_b,
-                     const ContactParameters& parameters) {
-  bench.world.laws.push_back(contactOfBalls(bench.world.bodies, a, ballShape(radius_a), b,
-                                            ballShape(radius_b), parameters));
-}
+void letTouch(Bench& bench, std::size_t a, double radius_a, std::size_t b, double radius_b,
+              const ContactParameters& parameters);
 
 /// The same of a box by its corners.
-inline std::size_t addBox(Bench& bench, const Vector3d& size, double mass,
-                          const BodyFrameMotion& motion, const HalfSpace& plane,
-                          const ContactParameters& parameters) {
-  const std::string name = "box" + std::to_string(bench.world.bodies.size());
-  const std::size_t box = bench.add(makeBody(name, massProperties(Box{size}, mass)), motion);
-  const ContactShape corners = cornersOf(bench.world.bodies[box], size);
-  bench.world.laws.push_back(
-      contactWithHalfSpace(bench.world.bodies, box, corners, plane, parameters));
-  return box;
-}
+std::size_t addBox(Bench& bench, const Vector3d& size, double mass, const BodyFrameMotion& motion,
+                   const HalfSpace& plane, const ContactParameters& parameters);
 
-inline BodyFrameMotion motionAt(const Vector3d& x_W, const Vector3d& v_W = Vector3d::Zero(),
-                                const Vector3d& w_W = Vector3d::Zero()) {
-  BodyFrameMotion motion;
-  motion.x_W = x_W;
-  motion.v_W = v_W;
-  motion.w_W = w_W;
-  return motion;
-}
+BodyFrameMotion motionAt(const Vector3d& x_W, const Vector3d& v_W = Vector3d::Zero(),
+                         const Vector3d& w_W = Vector3d::Zero());
 
 /// Two balls, one nearly above the other, over ground that they fall on; they touch each other,
 /// too. x, y [m]: how far the upper one is to the side.
-inline Bench stackedBalls(double x, double y) {
-  Bench bench;
-  bench.world.g_W = {0, 0, -9.81};
-  bench.world.solver.tolerance = 1e-4;
-  const ContactParameters c = contactOf(1e4, 1.5, 0.5, 0.3);
-  addBall(bench, 0.1, 1, motionAt({0, 0, 0.15}), HalfSpace{}, c);
-  addBall(bench, 0.1, 1, motionAt({x, y, 0.4}), HalfSpace{}, c);
-  letTouch(bench, 0, 0.1, 1, 0.1, c);
-  return bench;
-}
+Bench stackedBalls(double x, double y);
 
 /// With auto, at a stated tolerance, and at the steps that it asks for before any trial.
-inline Simulation simulationAt(Bench bench, double tolerance, double time_step) {
-  bench.initial.contact_bound = contactStepBound(tolerance);
-  bench.world.solver.tolerance = tolerance;
-  bench.world.solver.tolerance_stated = true;
-  return bench.simulation("auto", time_step);
-}
+Simulation simulationAt(Bench bench, double tolerance, double time_step);
 
 }  // namespace rigid_body_sim::test

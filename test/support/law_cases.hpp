@@ -7,7 +7,9 @@
 #include <vector>
 
 #include <rigid_body_sim/dynamics/buoyancy.hpp>
+#include <rigid_body_sim/dynamics/central_gravity.hpp>
 #include <rigid_body_sim/dynamics/medium_drag.hpp>
+#include <rigid_body_sim/dynamics/spring.hpp>
 #include <rigid_body_sim/dynamics/tether.hpp>
 
 #include "support/placement.hpp"

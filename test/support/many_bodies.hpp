@@ -3,45 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "support/random_bodies.hpp"
 #include "support/worlds.hpp"
 
 /// Worlds of bodies that do not act on one another.
 namespace rigid_body_sim::test {
 
 /// The integrators that step such bodies in packs.
-inline const std::vector<std::string>& packedIntegrators() {
-  static const std::vector<std::string> names{"semi_implicit_euler", "strang", "magnus4", "rk4"};
-  return names;
-}
+const std::vector<std::string>& packedIntegrators();
 
 /// Thrown under gravity: boxes, and every fifth a body of two or three equal moments.
-inline Bench thrownBodies(std::size_t count, unsigned seed = 1) {
-  Bench bench;
-  bench.world.g_W = {0, 0, -9.81};
-  Draw draw(seed);
-  for (std::size_t i = 0; i < count; ++i) {
-    Body body = draw.box(0.5);
-    if (i % 5 == 4) {
-      const Vector3d moments[]{{1, 1, 1}, {1, 1, 1.5}, {0.5, 1, 1}};
-      body = principalBody("", 1, moments[i / 5 % 3]);
-    }
-    body.name = "body" + std::to_string(i);
-    bench.initial.bodies.push_back(draw.state(body, 5));
-    bench.world.bodies.push_back(body);
-  }
-  return bench;
-}
+Bench thrownBodies(std::size_t count, unsigned seed = 1);
 
 /// The same without weight and motion, every zero with the sign of the one given.
-inline Bench restingBodies(std::size_t count, double zero) {
-  Bench bench = thrownBodies(count);
-  bench.world.g_W.setZero();
-  for (BodyState& s : bench.initial.bodies) {
-    s.q_WP = Quaterniond(1, zero, zero, zero);
-    s.p_W = s.L_W = s.L_P = s.x_low_W = Vector3d::Constant(zero);
-  }
-  return bench;
-}
+Bench restingBodies(std::size_t count, double zero);
 
 }  // namespace rigid_body_sim::test

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 #include <rigid_body_sim/dynamics/body.hpp>
@@ -14,52 +12,18 @@ class Draw {
  public:
   explicit Draw(unsigned seed) : generator_(seed) {}
 
-  double uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(generator_);
-  }
+  double uniform(double low, double high);
 
-  Vector3d vector(double size) {
-    Vector3d v;
-    do v = Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-    while (v.norm() > 1 || v.norm() < 0.1);
-    return size * v.normalized();
-  }
+  Vector3d vector(double size);
 
-  Quaterniond attitude() {
-    Eigen::Vector4d c;
-    do c = Eigen::Vector4d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-    while (c.norm() > 1 || c.norm() < 0.1);
-    return Quaterniond(c.normalized());
-  }
+  Quaterniond attitude();
 
   /// A homogeneous box whose edges span up to the given number of decades: rods, plates and all
   /// between. Its principal frame is its body frame up to the order of the axes.
-  Body box(double decades) {
-    Vector3d square;  // of the edges
-    for (int i = 0; i < 3; ++i) square[i] = std::pow(10, 2 * uniform(-decades, 0));
-    std::sort(square.data(), square.data() + 3, [](double a, double b) { return a > b; });
-    Body body;
-    body.name = "box";
-    body.mass = uniform(0.5, 5);
-    body.I = body.mass / 12 *
-             Vector3d(square[1] + square[2], square[0] + square[2], square[0] + square[1]);
-    body.inv_I = body.I.cwiseInverse();
-    body.X_BP.setIdentity();
-    body.q_BP.setIdentity();
-    body.split = rotationSplit(body.inv_I);
-    return body;
-  }
+  Body box(double decades);
 
   /// Turning at |w| [rad/s] about a random axis, moving at up to 1 m/s within 1 m.
-  BodyState state(const Body& body, double w) {
-    BodyState s;
-    s.x_W = vector(uniform(0, 1));
-    s.p_W = body.mass * vector(uniform(0, 1));
-    s.q_WP = attitude();
-    s.L_P = body.I.cwiseProduct(vector(w));
-    s.L_W = rotate(s.q_WP, s.L_P);
-    return s;
-  }
+  BodyState state(const Body& body, double w);
 
  private:
   std::mt19937 generator_;

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <memory>
+#include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include <rigid_body_sim/dynamics/buoyancy.hpp>
-#include <rigid_body_sim/dynamics/central_gravity.hpp>
 #include <rigid_body_sim/dynamics/drag.hpp>
+#include <rigid_body_sim/dynamics/medium_drag.hpp>
 #include <rigid_body_sim/dynamics/simulation.hpp>
 #include <rigid_body_sim/dynamics/spring.hpp>
 
@@ -17,16 +15,10 @@
 namespace rigid_body_sim::test {
 
 /// A body of the given principal moments whose body frame is its principal frame.
-inline Body principalBody(const std::string& name, double mass, const Vector3d& I) {
-  return makeBody(name, {mass, Vector3d::Zero(), I.asDiagonal()});
-}
+Body principalBody(const std::string& name, double mass, const Vector3d& I);
 
 /// A body of 2 kg without symmetry, of about 1 kg m², that turns about a point of its frame B.
-inline Body bodyOnPivot(const std::string& name, const Vector3d& point_B) {
-  Matrix3d I_Bcm;
-  I_Bcm << 0.5, 0.02, -0.03, 0.02, 0.7, 0.05, -0.03, 0.05, 0.9;
-  return makeBody(name, {2, {0.1, 0.05, -0.2}, I_Bcm}, {}, point_B);
-}
+Body bodyOnPivot(const std::string& name, const Vector3d& point_B);
 
 struct Bench {
   World world;
@@ -34,109 +26,37 @@ struct Bench {
   std::vector<reference::Law> reference_laws;  ///< the laws of the world, for the reference
 
   /// Adds a body with the given motion of its body frame; returns its index.
-  std::size_t add(const Body& body, const BodyFrameMotion& motion) {
-    world.bodies.push_back(body);
-    initial.bodies.push_back(toBodyState(body, motion));
-    return world.bodies.size() - 1;
-  }
+  std::size_t add(const Body& body, const BodyFrameMotion& motion);
 
   /// Fixes a body where it starts.
-  void fix(std::size_t body) {
-    world.bodies[body].fixed = true;
-    BodyState& start = initial.bodies[body];
-    start.p_W = start.L_W = start.L_P = Vector3d::Zero();
-  }
+  void fix(std::size_t body);
 
   void addSpring(const Spring::End& from, const Spring::End& to,
-                 const Spring::Constants& constants) {
-    world.laws.push_back(std::make_shared<Spring>(from, to, constants));
-    reference_laws.push_back(reference::spring(from, to, constants));
-  }
+                 const Spring::Constants& constants);
+  void addCentralGravity(std::size_t body, const Vector3d& center, double mu, bool gradient);
+  void addDrag(std::size_t body, const Drag::Coefficients& coefficients);
+  void addMediumDrag(std::size_t body, const MediumDrag::Coefficients& drag, const Vector3d& w_W);
+  void addBuoyancy(std::size_t body, double displaced, const Vector3d& centroid_P);
 
-  void addCentralGravity(std::size_t body, const Vector3d& center, double mu, bool gradient) {
-    world.laws.push_back(std::make_shared<CentralGravity>(body, center, mu, gradient));
-    reference_laws.push_back(reference::centralGravity(body, center, mu, gradient));
-  }
-
-  void addDrag(std::size_t body, const Drag::Coefficients& coefficients) {
-    world.laws.push_back(std::make_shared<Drag>(body, coefficients));
-    reference_laws.push_back(reference::drag(body, coefficients));
-  }
-
-  void addMediumDrag(std::size_t body, const MediumDrag::Coefficients& drag, const Vector3d& w_W) {
-    world.laws.push_back(std::make_shared<MediumDrag>(body, drag, w_W));
-    reference_laws.push_back(reference::mediumDrag(body, drag, w_W));
-  }
-
-  void addBuoyancy(std::size_t body, double displaced, const Vector3d& centroid_P) {
-    world.laws.push_back(std::make_shared<Buoyancy>(body, displaced, centroid_P, world.g_W));
-    reference_laws.push_back(reference::buoyancy(body, displaced, centroid_P, world.g_W));
-  }
-
-  Simulation simulation(const std::string& integrator, double time_step) const {
-    World copy = world;
-    copy.solver.integrator = integrator;
-    copy.solver.time_step = time_step;
-    return Simulation(std::move(copy), initial);
-  }
+  Simulation simulation(const std::string& integrator, double time_step) const;
 
   /// The state after `steps` steps that together last `duration`.
-  State run(const std::string& integrator, double duration, int steps) const {
-    Simulation sim = simulation(integrator, duration / steps);
-    for (int i = 0; i < steps; ++i) sim.step();
-    return sim.state();
-  }
+  State run(const std::string& integrator, double duration, int steps) const;
 };
 
 /// A motion with the given velocities at the world's origin; w_B in body axes.
-inline BodyFrameMotion tumbling(const Vector3d& v_W, const Vector3d& w_B,
-                                const Quaterniond& q_WB = Quaterniond::Identity()) {
-  BodyFrameMotion motion;
-  motion.q_WB = q_WB;
-  motion.v_W = v_W;
-  motion.w_W = rotate(q_WB, w_B);
-  return motion;
-}
+BodyFrameMotion tumbling(const Vector3d& v_W, const Vector3d& w_B,
+                         const Quaterniond& q_WB = Quaterniond::Identity());
 
 /// Box 0.1 × 0.4 × 0.9 m of 10 kg, thrown as in the "complex" case of the OSRF boxes benchmark.
-inline Bench complexBox() {
-  Bench bench;
-  bench.world.g_W = {0, 0, -9.8};
-  bench.add(principalBody("box", 10, {9.7 / 12, 8.2 / 12, 1.7 / 12}),
-            tumbling({-2, 2, 8}, {0.1, 5, 0.1}));
-  return bench;
-}
+Bench complexBox();
 
-inline Bench restingBox() {
-  Bench bench;
-  bench.add(principalBody("box", 2, {1, 2, 2.5}), BodyFrameMotion());
-  return bench;
-}
+Bench restingBox();
 
-inline PointWrench worldForce(const Vector3d& force, double start, double end) {
-  PointWrench push;
-  push.force = force;
-  push.start = start;
-  push.end = end;
-  return push;
-}
+PointWrench worldForce(const Vector3d& force, double start, double end);
 
 /// Box 1 × 0.5 × 0.25 m of 2 kg under gravity, pushed by a wrench of the given axes and place; at
 /// full strength it spins the box up to some 60 rad/s in a second.
-inline Bench pushedBox(std::size_t axes, std::size_t point_frame, double strength = 1) {
-  Bench bench;
-  bench.world.g_W = {0, 0, -9.81};
-  const Vector3d I = 2. / 12 * Vector3d(0.25 + 0.0625, 1 + 0.0625, 1 + 0.25);
-  bench.add(principalBody("box", 2, I), tumbling({0.5, 0, 1}, {1, -0.7, 0.4}));
-  PointWrench push;
-  push.body = 0;
-  push.axes = axes;
-  push.point_frame = point_frame;
-  push.force = strength * Vector3d(1, 2, 12);
-  push.torque = strength * Vector3d(0.2, 0, -0.1);
-  push.point = {0.3, -0.1, 0.05};
-  bench.world.wrenches.push_back(push);
-  return bench;
-}
+Bench pushedBox(std::size_t axes, std::size_t point_frame, double strength = 1);
 
 }  // namespace rigid_body_sim::test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <rigid_body_sim/dynamics/totals.hpp>
+#include <rigid_body_sim/mass/shapes.hpp>
 
 #include "support/contact_benches.hpp"
 #include "support/same_state.hpp"

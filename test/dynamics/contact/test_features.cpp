@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/mass/shapes.hpp>
+
 #include "dynamics/contact/feature.hpp"
 #include "dynamics/contact/flight_bound.hpp"
 #include "support/contact_benches.hpp"

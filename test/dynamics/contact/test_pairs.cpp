@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/mass/shapes.hpp>
+
 #include "dynamics/contact/overlapping_spheres.hpp"
 #include "support/contact_benches.hpp"
 

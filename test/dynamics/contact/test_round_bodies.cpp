@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/mass/shapes.hpp>
+
 #include "support/contact_benches.hpp"
 #include "support/reference_contact.hpp"
 #include "support/reference_contact_shapes.hpp"

@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/methods/catalogue.hpp"
+#include "dynamics/wrenches/held_wrench.hpp"
 #include "math/sanitizers.hpp"
 #include "support/ladder.hpp"
 #include "support/method_cases.hpp"
+#include "support/reference_bench.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -6,6 +6,7 @@
 #include "dynamics/packs/block_lane.hpp"
 #include "dynamics/packs/read_block.hpp"
 #include "support/many_bodies.hpp"
+#include "support/random_bodies.hpp"
 #include "support/same_bits.hpp"
 
 // Every width gives the bits of one body at a time.

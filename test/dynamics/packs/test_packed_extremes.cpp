@@ -4,6 +4,7 @@
 
 #include "dynamics/run/run.hpp"
 #include "support/many_bodies.hpp"
+#include "support/random_bodies.hpp"
 #include "support/same_bits.hpp"
 
 // What is not plainly fit for a pack goes the way of a body by itself, whatever becomes of it.

@@ -3,6 +3,7 @@
 #include "dynamics/run/run.hpp"
 #include "support/many_bodies.hpp"
 #include "support/packed_beside_single.hpp"
+#include "support/random_bodies.hpp"
 #include "support/same_state.hpp"
 
 // Bodies with torques and with forces in their own axes, stepped in packs, beside the same runs

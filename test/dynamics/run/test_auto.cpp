@@ -8,7 +8,9 @@
 
 #include <rigid_body_sim/dynamics/describe_solution.hpp>
 
+#include "support/law_benches.hpp"
 #include "support/method_cases.hpp"
+#include "support/reference_bench.hpp"
 
 namespace rigid_body_sim {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "dynamics/methods/catalogue.hpp"
 #include "support/ladder.hpp"
+#include "support/law_benches.hpp"
 #include "support/method_cases.hpp"
 
 namespace rigid_body_sim {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <rigid_body_sim/mass/shapes.hpp>
+
 #include "support/contact_benches.hpp"
 #include "support/law_benches.hpp"
 #include "support/worlds.hpp"
