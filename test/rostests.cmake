@@ -19,7 +19,7 @@ target_compile_definitions(${target} PRIVATE ${program_definitions} GTEST_HAS_PT
   RIGID_BODY_SIM_MOTORS_SCENE="${PROJECT_SOURCE_DIR}/test/ros/node/motors.yaml"
   RIGID_BODY_SIM_ROSTESTS="${PROJECT_SOURCE_DIR}/test/ros/node"
   RIGID_BODY_SIM_TEST_SCENE="${PROJECT_SOURCE_DIR}/test/ros/node/lopsided.yaml")
-target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0> -Wno-subobject-linkage)
+target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0> $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 add_dependencies(tests ${target})
 # under a sanitizer few of them run, and most need the node only
 if(NOT RIGID_BODY_SIM_SANITIZE)

@@ -49,7 +49,7 @@ function(rigid_body_sim_gtest name)
   target_compile_definitions(${target} PRIVATE GTEST_HAS_PTHREAD=1)
   target_link_libraries(${target} ${ARG_LIBRARIES} rigid_body_sim_options gtest_main gmock gtest)
   # in a unity build a fixture in an anonymous namespace stands in an included file: no fault
-  target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   # What is tested is compiled as users compile it. Optimising the tests themselves takes longer than
   # it saves, but for the references of the core's: without, those take ten times as long.
   if(ARG_HEADERS_OF)
