@@ -4,11 +4,6 @@
 
 namespace rigid_body_sim::test {
 
-const std::vector<std::string>& packedIntegrators() {
-  static const std::vector<std::string> names{"semi_implicit_euler", "strang", "magnus4", "rk4"};
-  return names;
-}
-
 Bench thrownBodies(std::size_t count, unsigned seed) {
   Bench bench;
   bench.world.g_W = {0, 0, -9.81};

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
+#include "support/packed_integrators.hpp"
 #include "support/worlds.hpp"
 
 /// Worlds of bodies that do not act on one another.
 namespace rigid_body_sim::test {
-
-/// The integrators that step such bodies in packs.
-const std::vector<std::string>& packedIntegrators();
 
 /// Thrown under gravity: boxes, and every fifth a body of two or three equal moments.
 Bench thrownBodies(std::size_t count, unsigned seed = 1);

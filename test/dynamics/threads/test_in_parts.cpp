@@ -14,6 +14,7 @@
 #include <rigid_body_sim/mass/shapes.hpp>
 
 #include "dynamics/packs/in_parts.hpp"
+#include "support/packed_integrators.hpp"
 #include "support/same_bits.hpp"
 
 /// Run by scripts/test under the thread sanitizer, too, and thus without the library of the tests'
@@ -146,7 +147,7 @@ TEST(Threads, StepPacksToTheSameBits) {
     turn.point_frame = turn.body;
     thrown.world.wrenches.push_back(turn);
   }
-  for (const std::string integrator : {"semi_implicit_euler", "strang", "magnus4", "rk4"})
+  for (const std::string& integrator : test::packedIntegrators())
     expectSameBitsByThreads(thrown, integrator, 70, {2, 7});
 }
 
