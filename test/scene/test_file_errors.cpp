@@ -1,9 +1,9 @@
 #include <filesystem>
-#include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "scene_texts.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -43,17 +43,15 @@ TEST(SceneFile, IsRefusedWhereItIsAnotherByItsName) {
 }
 
 TEST(SceneFile, IsRefusedWhenLargerThan64MiB) {
-  const std::string path = testing::TempDir() + "rigid_body_sim_large.yaml";
-  std::ofstream(path) << std::string((64 << 20) + 1, '#');
+  const TemporaryDirectory files;
+  const std::string path = files.written("large.yaml", std::string((64 << 20) + 1, '#'));
   EXPECT_EQ(loadErrorOf(path), path + ": is larger than 64 MiB");
-  std::filesystem::remove(path);
 }
 
 TEST(SceneFile, IsNamedInItsErrors) {
-  const std::string path = testing::TempDir() + "rigid_body_sim_bad.yaml";
-  std::ofstream(path) << boxScene("    fixed: yes\n");
+  const TemporaryDirectory files;
+  const std::string path = files.written("bad.yaml", boxScene("    fixed: yes\n"));
   EXPECT_EQ(loadErrorOf(path), path + ":6: body 'box': fixed must be true or false, got yes");
-  std::filesystem::remove(path);
 }
 
 TEST(SceneText, IsRefusedWhenEmpty) {

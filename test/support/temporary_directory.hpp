@@ -37,4 +37,10 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
+/// Writes a scene over the one before and returns its path, gone with the program.
+inline std::string sceneFile(const std::string& yaml) {
+  static const TemporaryDirectory directory;
+  return directory.written("scene.yaml", yaml);
+}
+
 }  // namespace rigid_body_sim

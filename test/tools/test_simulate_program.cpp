@@ -1,6 +1,5 @@
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "support/mesh_edits.hpp"
 #include "support/mesh_texts.hpp"
 #include "support/run_command.hpp"
+#include "support/temporary_directory.hpp"
 #include "support/triangulations.hpp"
 
 namespace rigid_body_sim {
@@ -44,12 +44,6 @@ std::vector<double> numbers(const std::string& row) {
   for (std::string field; std::getline(stream, field, ',');)
     all.push_back(std::strtod(field.c_str(), nullptr));
   return all;
-}
-
-std::string sceneFile(const std::string& yaml) {
-  const std::string path = ::testing::TempDir() + "simulate_test_scene.yaml";
-  std::ofstream(path) << yaml;
-  return path;
 }
 
 }  // namespace
@@ -191,8 +185,9 @@ TEST(Simulate, ExitsWithOneForBadInput) {
 
 TEST(Simulate, SaysWhatIsAtFaultAndNothingElse) {
   // a mesh that faces inwards, told of when all is well
-  const std::string mesh = ::testing::TempDir() + "simulate_test_inwards.stl";
-  std::ofstream(mesh, std::ios::binary) << binaryStl(insideOut(triangulated(Box{{1, 1, 1}}, 0)));
+  const TemporaryDirectory files;
+  const std::string mesh =
+      files.written("inwards.stl", binaryStl(insideOut(triangulated(Box{{1, 1, 1}}, 0))));
   const std::string body = "bodies: [{name: a, mass: 1, shape: {mesh: {file: " + mesh + "}}}]\n";
   const std::string good = sceneFile("time_step: 0.1\n" + body);
   const std::string notice = simulate(good + " 2>&1 >/dev/null").out;

@@ -24,6 +24,7 @@
 #include "node_driver.hpp"
 #include "ros/messages/conversions.hpp"
 #include "ros/outputs/state_messages.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -206,8 +207,8 @@ TEST_F(Commands, AreRepeatedToTheSameBytesFromARecord) {
   }
   const ros::Time end = driver.step(20);
   ASSERT_TRUE(NodeDriver::waitFor([&] { return actuators.count(end) > 0; }));
-  const std::string recorded = ::testing::TempDir() + "commands_recorded.bag";
-  const std::string repeated = ::testing::TempDir() + "commands_repeated.bag";
+  const TemporaryDirectory files;
+  const std::string recorded = files.path("recorded.bag"), repeated = files.path("repeated.bag");
   {
     rosbag::Bag bag(recorded, rosbag::bagmode::Write);
     bag.write("/rigid_body_node/inputs", ros::TIME_MIN, restart);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +15,7 @@
 
 #include "node_driver.hpp"
 #include "support/run_command.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -34,12 +34,6 @@ Outcome runNode(const std::string& arguments) {
   const std::string command = std::string(RIGID_BODY_SIM_NODE) + " __name:=" + freshName() + " " +
                               arguments + " 2>&1 >/dev/null";
   return test::runCommand(command);
-}
-
-std::string sceneFile(const std::string& yaml) {
-  const std::string path = ::testing::TempDir() + "node_test_scene.yaml";
-  std::ofstream(path) << yaml;
-  return path;
 }
 
 pid_t startNode(const std::string& name, const std::string& scene = RIGID_BODY_SIM_TEST_SCENE) {
@@ -169,8 +163,8 @@ TEST(Node, SaysThatItsHelpCannotBeWritten) {
 }
 
 TEST(Node, EndsOnASignalWhileItWaitsForASceneThatNobodyWrites) {
-  const std::string pipe = ::testing::TempDir() + "node_test_pipe";
-  unlink(pipe.c_str());
+  const TemporaryDirectory files;
+  const std::string pipe = files.path("scene.yaml");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   for (const int signal : {SIGTERM, SIGINT}) {
     const pid_t child = startNode(freshName(), pipe);
@@ -182,7 +176,6 @@ TEST(Node, EndsOnASignalWhileItWaitsForASceneThatNobodyWrites) {
     EXPECT_EQ(waitpid(child, &status, 0), child);
     close(end);
   }
-  unlink(pipe.c_str());
 }
 
 TEST(Node, StopsWhereRosTimeEnds) {

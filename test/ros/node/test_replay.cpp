@@ -25,6 +25,7 @@
 #include "message_bytes.hpp"
 #include "node_driver.hpp"
 #include "ros/messages/conversions.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -159,8 +160,7 @@ class Replay : public ::testing::Test {
 
   /// Repeats by `simulate` what was recorded, to an end [s]; returns the path of its bag.
   std::string repeatedTo(double end) const {
-    const std::string recorded = ::testing::TempDir() + "replay_recorded.bag";
-    const std::string repeated = ::testing::TempDir() + "replay_repeated.bag";
+    const std::string recorded = files.path("recorded.bag"), repeated = files.path("repeated.bag");
     {
       rosbag::Bag bag(recorded, rosbag::bagmode::Write);
       for (const Input& input : inputs)
@@ -173,6 +173,7 @@ class Replay : public ::testing::Test {
     return repeated;
   }
 
+  TemporaryDirectory files;
   ros::NodeHandle nh;
   std::vector<ros::Subscriber> subscribers;
   ros::Publisher box, any;  // of wrenches

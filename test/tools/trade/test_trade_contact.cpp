@@ -10,6 +10,7 @@
 #include <rigid_body_sim/scene/load_scene.hpp>
 
 #include "support/run_command.hpp"
+#include "support/temporary_directory.hpp"
 #include "tools/trade/trade_contact.hpp"
 
 namespace rigid_body_sim {
@@ -107,9 +108,8 @@ forces:
 }
 
 TEST(TradeProgram, RecommendsAToleranceForContactAndWritesIt) {
-  const std::string directory = ::testing::TempDir() + "trade_contact";
-  const std::string path = directory + ".yaml";
-  std::ofstream(path) << kElasticBall;
+  const TemporaryDirectory files;
+  const std::string path = files.written("ball.yaml", kElasticBall), directory = files.path("out");
   const test::Outcome run = test::runCommand(std::string(RIGID_BODY_SIM_TRADE) + " " + path +
                                              " --duration 1 --error-budget 1e-9 --write --out " +
                                              directory + " 2>/dev/null");

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 
 #include "math/shortest.hpp"
 #include "support/run_command.hpp"
+#include "support/temporary_directory.hpp"
 #include "tools/trade/trade_write.hpp"
 
 namespace rigid_body_sim {
@@ -35,12 +35,6 @@ using test::Outcome;
 /// Runs `trade` with the arguments, one string as a shell takes it.
 Outcome trade(const std::string& arguments, const std::string& environment = "") {
   return test::runCommand(environment + " " + kProgram + " " + arguments);
-}
-
-std::string newDirectory() {
-  std::string name = ::testing::TempDir() + "tradeXXXXXX";
-  if (!mkdtemp(name.data())) throw std::runtime_error("no directory for the test");
-  return name;
 }
 
 std::vector<std::string> linesOf(std::istream&& text) {
@@ -102,8 +96,9 @@ void expectRow(const std::string& row) {
 }  // namespace
 
 TEST(TradeProgram, WritesEveryRowAndTheCheapestSetting) {
+  const TemporaryDirectory files;
   // names that neither the shell nor gnuplot must take for more than that
-  const std::string made = newDirectory(), out = made + "/here `touch ran` \"$HOME\"";
+  const std::string out = files.path("here `touch ran` \"$HOME\"");
   const Outcome run = trade(kScene + " --duration 0.1 --error-budget 1e-6 --out '" + out + "'");
   EXPECT_EQ(run.exit_code, 0);
   const std::vector<std::string> rows = fileLines(out + "/trade.csv");
@@ -121,7 +116,8 @@ TEST(TradeProgram, WritesEveryRowAndTheCheapestSetting) {
 }
 
 TEST(TradeProgram, SaysThatThePlotIsMissingWithoutGnuplot) {
-  const std::string out = newDirectory();
+  const TemporaryDirectory files;
+  const std::string out = files.path("out");
   const Outcome run = trade(kScene + " --duration 0.1 --out " + out, "PATH=/nonexistent");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_NE(run.out.find("gnuplot is not installed"), std::string::npos) << run.out;
@@ -129,15 +125,17 @@ TEST(TradeProgram, SaysThatThePlotIsMissingWithoutGnuplot) {
 }
 
 TEST(TradeProgram, KeepsTheStepOfASceneThatIsSolvedWhateverTheStep) {
-  const Outcome run = trade(kScene + " --duration 0.1 --out " + newDirectory());
+  const TemporaryDirectory files;
+  const Outcome run = trade(kScene + " --duration 0.1 --out " + files.path("out"));
   EXPECT_NE(run.out.find("That is what the scene says now.\n"), std::string::npos) << run.out;
 }
 
 TEST(TradeProgram, WritesItsAdviceIntoTheSceneAndKeepsTheRest) {
-  const std::string path = newDirectory() + "/scene.yaml";
-  std::ofstream(path) << springScene("time_step: 5e-11   # [s]\ntolerance: 1e-3\n");
+  const TemporaryDirectory files;
+  const std::string path =
+      files.written("scene.yaml", springScene("time_step: 5e-11   # [s]\ntolerance: 1e-3\n"));
   // too short for errors above rounding: every ladder has a few steps
-  const Outcome run = trade(path + " --duration 1e-9 --write --out " + newDirectory());
+  const Outcome run = trade(path + " --duration 1e-9 --write --out " + files.path("out"));
   EXPECT_EQ(run.exit_code, 0);
   const Scene written = loadScene(path);
   EXPECT_EQ(advice(run.out), "integrator: " + written.integrator +
@@ -149,8 +147,9 @@ TEST(TradeProgram, WritesItsAdviceIntoTheSceneAndKeepsTheRest) {
 }
 
 TEST(WriteSolver, ReplacesTwoKeysAndKeepsEverythingElse) {
-  const std::string path = newDirectory() + "/scene.yaml";
-  std::ofstream(path) << springScene("time_step: 0.001   # [s]\ntolerance: 1e-3\n");
+  const TemporaryDirectory files;
+  const std::string path =
+      files.written("scene.yaml", springScene("time_step: 0.001   # [s]\ntolerance: 1e-3\n"));
   EXPECT_EQ(writeSolver(path, "rk4", 0.03), path + ": now integrator rk4, time_step 0.03");
   EXPECT_EQ(fileText(path), springScene("time_step: 0.03   # [s]\nintegrator: rk4\n# tolerance: "
                                         "1e-3\n"));
@@ -168,13 +167,13 @@ TEST(WriteSolver, ReplacesTwoKeysAndKeepsEverythingElse) {
 }
 
 TEST(TradeProgram, LeavesASceneThatItCannotEditAsItIs) {
-  const std::string path = newDirectory() + "/scene.yaml";
+  const TemporaryDirectory files;
   const std::string flow =
       "{time_step: 5e-11, tolerance: 1e-3, bodies: [{name: a, mass: 1, shape: {box: "
       "[1, 2, 3]}}], forces: [{type: spring, from: {body: a}, to: {world: [0, 0, 1]}, stiffness: "
       "9, damping: 1}]}\n";
-  std::ofstream(path) << flow;
-  const Outcome run = trade(path + " --duration 1e-9 --write --out " + newDirectory() + " 2>&1");
+  const std::string path = files.written("scene.yaml", flow);
+  const Outcome run = trade(path + " --duration 1e-9 --write --out " + files.path("out") + " 2>&1");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.out.find("scene.yaml: its keys do not stand on lines of their own: left as it was"),
             std::string::npos)
@@ -183,7 +182,8 @@ TEST(TradeProgram, LeavesASceneThatItCannotEditAsItIs) {
 }
 
 TEST(TradeProgram, MeasuresARunShorterThanAStep) {
-  const std::string out = newDirectory();
+  const TemporaryDirectory files;
+  const std::string out = files.path("out");
   const Outcome run = trade(kScene + " --duration 1e-9 --out " + out + " 2>&1");
   EXPECT_EQ(run.exit_code, 0) << run.out;
   EXPECT_EQ(run.out.find("inf"), std::string::npos) << run.out;
@@ -194,9 +194,9 @@ TEST(TradeProgram, MeasuresARunShorterThanAStep) {
 }
 
 TEST(TradeProgram, RefusesToOverwriteTheSceneByItsTable) {
-  const std::string directory = newDirectory(), path = directory + "/trade.csv";
-  std::ofstream(path) << springScene("time_step: 0.005\n");
-  const Outcome run = trade(path + " --out " + directory + " 2>&1");
+  const TemporaryDirectory files;
+  const std::string path = files.written("trade.csv", springScene("time_step: 0.005\n"));
+  const Outcome run = trade(path + " --out " + files.path("") + " 2>&1");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.out.find("the table and the scene are the same file"), std::string::npos)
       << run.out;
@@ -204,14 +204,14 @@ TEST(TradeProgram, RefusesToOverwriteTheSceneByItsTable) {
 }
 
 TEST(TradeProgram, RefusesToOverwriteAFileThatTheSceneNames) {
-  const std::string directory = newDirectory(), urdf = directory + "/trade.csv";
+  const TemporaryDirectory files;
   const std::string robot =
       "<robot name='r'><link name='base'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
       "izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link></robot>";
-  std::ofstream(urdf) << robot;
-  const std::string path = directory + "/scene.yaml";
-  std::ofstream(path) << "time_step: 0.01\nbodies: [{name: a, urdf: {file: trade.csv}}]\n";
-  const Outcome run = trade(path + " --duration 0.1 --out " + directory + " 2>&1");
+  const std::string urdf = files.written("trade.csv", robot);
+  const std::string path = files.written(
+      "scene.yaml", "time_step: 0.01\nbodies: [{name: a, urdf: {file: trade.csv}}]\n");
+  const Outcome run = trade(path + " --duration 0.1 --out " + files.path("") + " 2>&1");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.out.find("the table and a file that the scene names are the same file"),
             std::string::npos)
@@ -220,17 +220,18 @@ TEST(TradeProgram, RefusesToOverwriteAFileThatTheSceneNames) {
 }
 
 TEST(TradeProgram, LeavesAValidFileWhenInterrupted) {
-  const std::string directory = newDirectory();
+  const TemporaryDirectory files;
   // a pipe in place of the file: whoever reads is woken, and what no one reads holds the writer up
-  ASSERT_EQ(mkfifo((directory + "/trade.csv").c_str(), 0600), 0);
-  const int csv = open((directory + "/trade.csv").c_str(), O_RDONLY | O_NONBLOCK);
+  const std::string table = files.path("trade.csv");
+  ASSERT_EQ(mkfifo(table.c_str(), 0600), 0);
+  const int csv = open(table.c_str(), O_RDONLY | O_NONBLOCK);
   // the least there is; the whole table takes 9 kB
   ASSERT_EQ(fcntl(csv, F_SETPIPE_SZ, 4096), 4096);
   const pid_t child = fork();
   if (child == 0) {
     std::signal(SIGINT, SIG_DFL);  // ignored in what a script runs in the background
     close(STDERR_FILENO);
-    execl(kProgram.c_str(), "trade", kScene.c_str(), "--out", directory.c_str(), nullptr);
+    execl(kProgram.c_str(), "trade", kScene.c_str(), "--out", files.path("").c_str(), nullptr);
     _exit(127);
   }
   ASSERT_GT(child, 0);
@@ -263,19 +264,20 @@ TEST(TradeProgram, ExitsWithTwoForWrongUsage) {
   for (const char* arguments : {"", "a.yaml b.yaml", "a.yaml --no-such-option", "a.yaml --out",
                                 "a.yaml --duration 1x", "a.yaml --error-budget 0"})
     EXPECT_EQ(trade(std::string(arguments) + " 2>&1").exit_code, 2) << arguments;
-  const Outcome endless = trade(kScene + " --duration 1e300 --out " + newDirectory() + " 2>&1");
+  const TemporaryDirectory files;
+  const Outcome endless = trade(kScene + " --duration 1e300 --out " + files.path("out") + " 2>&1");
   EXPECT_EQ(endless.exit_code, 2);
   EXPECT_NE(endless.out.find("must be at most 2^53 steps"), std::string::npos) << endless.out;
 }
 
 TEST(TradeProgram, ExitsWithThreeWhenTheReferenceDiverges) {
-  const std::string path = newDirectory() + "/scene.yaml";
-  std::ofstream(path) << R"(
+  const TemporaryDirectory files;
+  const std::string path = files.written("scene.yaml", R"(
 time_step: 1.0
 bodies: [{name: rocket, shape: {sphere: {radius: 1}}, mass: 1.0e-300}]
 wrenches: [{body: rocket, frame: world, force: [1.0e+300, 0, 0], duration: 1000}]
-)";
-  const Outcome run = trade(path + " --out " + newDirectory() + " 2>&1");
+)");
+  const Outcome run = trade(path + " --out " + files.path("out") + " 2>&1");
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_NE(run.out.find("body 'rocket'"), std::string::npos) << run.out;
 }
