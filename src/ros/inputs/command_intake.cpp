@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "ros/inputs/message_limits.hpp"
 #include "ros/inputs/start_of_input.hpp"
 #include "scene/build/build_actuators.hpp"
 #include "scene/message_text.hpp"
@@ -60,9 +61,6 @@ double commandOf(const Actuator& actuator, const JointState& message, std::size_
              : commandAt(i, actuator.name, "effort", effort, "velocity", velocity);
 }
 
-/// [s] A controller commands moments ahead, not an hour.
-constexpr double kFarthest = 3600;
-
 }  // namespace
 
 std::vector<CommandInput> CommandIntake::take(std::size_t body, const JointState& message,
@@ -70,7 +68,7 @@ std::vector<CommandInput> CommandIntake::take(std::size_t body, const JointState
   checkFields(message);
   ActuatorCommand command;
   command.body = body;
-  command.start = startOfInput("stamp", message.header.stamp, origin, now, kFarthest);
+  command.start = startOfInput("stamp", message.header.stamp, origin, now, kFarthestCommand);
   if (command_timeout_ > 0) command.end = command.start + command_timeout_;
   std::vector<CommandInput> inputs;
   for (std::size_t i = 0; i < message.name.size(); ++i) {

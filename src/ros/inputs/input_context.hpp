@@ -7,6 +7,7 @@
 
 #include "ros/inputs/inputs.hpp"
 #include "ros/inputs/lockstep.hpp"
+#include "ros/inputs/message_limits.hpp"
 #include "ros/inputs/refusals.hpp"
 
 namespace rigid_body_sim {
@@ -37,8 +38,6 @@ struct InputContext {
   template <class Message>
   ros::Subscriber subscribe(ros::NodeHandle nh, const std::string& topic,
                             const std::function<void(const Message&)>& take) const {
-    /// Messages that may wait for the next step: a tenth of a second at 10 000 a second.
-    constexpr std::uint32_t kQueue = 1000;
     using Callback = boost::function<void(const boost::shared_ptr<const Message>&)>;
     Callback callback = [take](const auto& message) { take(*message); };
     const std::string name = nh.resolveName(topic);
@@ -46,7 +45,7 @@ struct InputContext {
       callback = [&steps = lockstep, name, take](const auto& message) {
         steps.hold(name, *message, [message, take] { take(*message); });
       };
-    return nh.subscribe<Message>(topic, kQueue, callback, ros::VoidConstPtr(),
+    return nh.subscribe<Message>(topic, kMessageQueue, callback, ros::VoidConstPtr(),
                                  ros::TransportHints().tcpNoDelay());
   }
 };

@@ -12,6 +12,7 @@
 #include <ros/topic_manager.h>
 
 #include "math/shortest.hpp"
+#include "ros/inputs/message_limits.hpp"
 #include "ros/inputs/stamped_message.hpp"
 
 namespace rigid_body_sim {
@@ -53,7 +54,6 @@ void Lockstep::refuseOwn() const {
 
 void Lockstep::watchOthers(ros::NodeHandle nh) {
   refuseOwn();
-  constexpr std::uint32_t kQueue = 1000;
   for (Topic& topic : topics_) {
     if (topic.is_taken) continue;
     const std::string name = topic.name;
@@ -65,7 +65,7 @@ void Lockstep::watchOthers(ros::NodeHandle nh) {
         hold(name, event.getMessage()->stamp, event.getMessage()->bytes, [] {});
     };
     ros::SubscribeOptions options;
-    options.initByFullCallbackType<const Event&>(name, kQueue, note);
+    options.initByFullCallbackType<const Event&>(name, kMessageQueue, note);
     options.transport_hints = ros::TransportHints().tcpNoDelay();
     topic.subscriber = nh.subscribe(options);
   }
@@ -157,10 +157,10 @@ std::string Lockstep::missing() const {
   if (topic.last_end < *state_) {  // also where there was none
     text << *state_ << " or later";
   } else {
-    constexpr double kFar = 3600;  // [s] no controller answers an hour ahead
     const double ahead = (*topic.last_end - *state_).toSec();
     text << "later than " << *topic.last_end << " (the stamp of the last one taken";
-    if (ahead > kFar) text << ", " << ahead << " s ahead of simulation time: of another clock?";
+    if (ahead > kFarthestCommand)
+      text << ", " << ahead << " s ahead of simulation time: of another clock?";
     text << ")";
   }
   return text.str();
