@@ -71,7 +71,8 @@ double volume(const Shape& shape) {
 
 MassProperties massProperties(const Shape& shape, double mass) {
   if (!std::visit([](const auto& s) { return isPossible(s); }, shape))
-    throw std::invalid_argument("lengths of a shape must be > 0 m and finite");
+    throw std::invalid_argument(
+        "lengths of a shape must be > 0 m, of a capsule between its caps >= 0, and finite");
   const Vector3d I = std::visit([mass](const auto& s) { return momentsOf(s, mass); }, shape);
   return {mass, Vector3d::Zero(), I.asDiagonal()};
 }
