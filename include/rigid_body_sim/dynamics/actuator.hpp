@@ -98,10 +98,11 @@ ActuatorReading readActuator(const Actuator& actuator, const ActuatorState& stat
                              const Vector3d& w_B);
 
 /// Says which rule the actuators of a body break, naming the actuator; empty when none: numbers
-/// finite, directions of unit length, least <= greatest, time constants within their range, inertia
-/// of wheels > 0 and of rotors >= 0, a rotor with inertia has a time constant, names unique and not
-/// empty. I_Bcm [kg m²]: of the body with all wheels and rotors, as if they stood still in it.
-/// Without what the wheels have about their axes, I − Σ J a aᵀ, it must be positive definite.
+/// finite, directions of unit length, least <= greatest and not both infinite alike, time constants
+/// within their range, inertia of wheels > 0 and of rotors >= 0, a rotor with inertia has a time
+/// constant, names unique and not empty. I_Bcm [kg m²]: of the body with all wheels and rotors, as
+/// if they stood still in it. Without what these have about their axes, I − Σ J a aᵀ, its least
+/// moment must exceed 1e-15 of its greatest entry.
 std::string actuatorsFault(const std::vector<Actuator>& actuators, const Matrix3d& I_Bcm);
 
 }  // namespace rigid_body_sim

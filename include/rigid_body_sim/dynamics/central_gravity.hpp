@@ -13,7 +13,8 @@ namespace rigid_body_sim {
 /// so that the torque has no potential: its power counts as external.
 class CentralGravity final : public ForceLaw {
  public:
-  /// mu [m³/s²] > 0: gravitational constant × mass at the centre. Throws std::invalid_argument.
+  /// center_W [m]; mu [m³/s²] > 0: gravitational constant × mass at the centre; all finite. Throws
+  /// std::invalid_argument.
   CentralGravity(std::size_t body, const Vector3d& center_W, double mu, bool gradient);
 
   const char* name() const override { return "central gravity"; }

@@ -8,7 +8,8 @@
 namespace rigid_body_sim {
 
 /// Where a body touches others: its features, in the body's principal frame P, whose origin is the
-/// centre of mass. A feature acts by itself, as if the others were not there.
+/// centre of mass (a body on a pivot cannot touch). A feature acts by itself, as if the others were
+/// not there.
 struct ContactShape {
   /// A ball, or the end of a capsule.
   struct Ball {

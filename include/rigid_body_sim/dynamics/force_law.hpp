@@ -119,8 +119,9 @@ class ForceLaw {
   virtual bool hasKink() const { return false; }
 
   /// [s] From the present to the nearest kink that a step of h may suffer from, the motion of its
-  /// bodies given index by index of `at`; the less it matters, the less close it is taken to be:
-  /// see distanceToDragKink. Steps of at most a third of it do not suffer.
+  /// bodies given index by index of `at`. A kink that changes less than the share `negligible` of
+  /// what changes within h is taken to be farther off than it is. Steps of at most a third of the
+  /// result do not suffer.
   virtual double distanceToKink(const Bodies& at, const std::vector<BodyMotion>& motions, double h,
                                 double negligible) const;
 
@@ -209,6 +210,7 @@ class ForceLaw {
 
   /// Whether it is what a medium exerts on one body, so that its motion can be solved: then
   /// addMedium puts it into a load. Of each kind, which is its name(), at most one acts on a body.
+  /// For laws of this package: a MediumLoad is not public.
   virtual bool isOfMedium() const { return false; }
   virtual void addMedium(const Bodies& /*at*/, MediumLoad& /*load*/) const {}
 

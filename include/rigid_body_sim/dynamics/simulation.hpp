@@ -33,12 +33,14 @@ struct ErrorEstimate {
 
 /// What auto has found before the run of a scene with contact or tethers, which states a tolerance.
 /// Impacts, and pulls that begin suddenly, magnify errors, so that the scene is run up to its
-/// horizon beside a run whose bounds are 100 times looser, from which it may differ by the
-/// tolerance, and where forces other than contact act beside one whose bounds are 100 times tighter
-/// and whose steps half as long, from which it may differ by a quarter of that. Where they part
-/// further, it is tried anew at bounds 100 times tighter, down to 1e-14; below, rounding decides.
-/// Without contact the second run alone is made. The work is bounded, to tenths of a second; where
-/// that ends before a tenth of the time up to the horizon, the bound stays what it was at first.
+/// horizon beside two others:
+///   a looser run, bounds 100 times as loose, from which it may differ by the tolerance; only with
+///   contact;
+///   a tighter run, bounds 100 times as tight and steps half as long, from which it may differ by a
+///   quarter of the tolerance; only where forces other than contact act.
+/// Where the runs differ by more, all are made anew at bounds 100 times tighter, down to 1e-14;
+/// below, rounding decides. The work is bounded, to tenths of a second; where that ends before a
+/// tenth of the time up to the horizon, the bound stays what it was at first.
 /// Runs are compared after every step, and of contact alone at 32 instants up to the horizon at
 /// least.
 struct ContactTrial {
@@ -129,7 +131,8 @@ class Simulation {
   /// The same by their parts; see WrenchInput, ClearInput, StateInput, ResetInput, CommandInput,
   /// WindInput, MassInput, PresenceInput. Bodies on which nothing changes keep their bits. A state
   /// that is set leaves the speeds of wheels and rotors relative to the body as they are, and L_W
-  /// follows from them. A command that would have started before starts now.
+  /// follows from them. A command that would have started before starts now. velocity_W [m/s]: of
+  /// the medium; a world without one refuses it.
   void applyWrench(const std::string& slot, const PointWrench& wrench);
   void clearWrenches(std::size_t body = ClearInput::kEveryBody, const std::string& slot = "");
   void setState(std::size_t body, const BodyState& state);
@@ -221,8 +224,9 @@ class Simulation {
   void trackError();
 
   /// The greatest error so far since trackError, estimated at every other step: the difference of
-  /// the two runs over 2^order − 1. Infinite once the second run has diverged; 0 where nothing is
-  /// tracked.
+  /// the two runs over 2^order − 1, of the integrator of the body, or of dop853 where it is solved
+  /// between the pulls of a tether; with contact, and of another solved body, the difference
+  /// itself. Infinite once the second run has diverged; 0 where nothing is tracked.
   ErrorEstimate errorEstimate() const;
 
   /// From now on every step is metered: costs order/2 + 1 extra steps per integrated step, a few

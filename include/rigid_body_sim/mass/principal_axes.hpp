@@ -6,7 +6,7 @@ namespace rigid_body_sim {
 
 /// I = R_BP diag(I) R_BPᵀ: a symmetric matrix in its own axes.
 struct PrincipalAxes {
-  Vector3d I;     ///< principal moments, ascending
+  Vector3d I;     ///< principal moments, ascending; in the unit of the matrix
   Matrix3d R_BP;  ///< columns: the principal axes in B; a rotation (right-handed)
 };
 

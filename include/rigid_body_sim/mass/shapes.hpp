@@ -7,7 +7,8 @@
 namespace rigid_body_sim {
 
 /// Homogeneous solids, each with its centre of mass at the origin of its own frame and its axes
-/// along the frame's. massProperties throws std::invalid_argument for lengths that break a rule.
+/// along the frame's. massProperties throws std::invalid_argument for lengths that break a rule;
+/// the mass is for makeBody to check, or massPropertiesFault, and volume checks nothing.
 struct Box {
   Vector3d size;  ///< [m] edge lengths, > 0
 };

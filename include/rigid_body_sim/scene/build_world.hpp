@@ -6,9 +6,10 @@
 
 namespace rigid_body_sim {
 
-/// What stays constant of a scene. Throws SceneError for one that cannot be simulated
-/// (checkScene), for a wrench or a spring that names an unknown body or frame or acts on fixed
-/// bodies only, and for an integrator that is unknown or does not support what acts in the scene.
+/// What stays constant of a scene. Throws SceneError for one that breaks a rule of doc/scene.md, as
+/// one without bodies or with a name twice does; for a wrench or a spring that names an unknown
+/// body or frame or acts on fixed bodies only; and for an integrator that is unknown or does not
+/// support what acts in the scene.
 World buildWorld(const Scene& scene);
 
 /// The state at time zero; world: that of the scene.
