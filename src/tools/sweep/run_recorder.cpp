@@ -38,8 +38,9 @@ double greatest(const Function& f, double from, double to) {
 
 double Quantity::of(const Body& body_def, const BodyState& state) const {
   const BodyFrameMotion motion = toBodyFrameMotion(body_def, state);
-  if (index == kMotionNumbers) return motion.v_W.norm();
-  if (index == kMotionNumbers + 1) return motion.w_W.norm();
+  // scaled: squares of numbers beyond 1e154 are infinite, those of numbers below 1e-162 zero
+  if (index == kMotionNumbers) return motion.v_W.stableNorm();
+  if (index == kMotionNumbers + 1) return motion.w_W.stableNorm();
   return motionNumbers(motion)[index];
 }
 

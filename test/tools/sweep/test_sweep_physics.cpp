@@ -142,6 +142,31 @@ vary:
   for (std::size_t i = 0; i < 4; i += 2) EXPECT_LT(error[i + 1], 1e-2 * error[i]);
 }
 
+// their squares are beyond what a number holds, or below
+TEST(SweepRecords, OfSpeedsAreRightAtAnySize) {
+  const TemporaryDirectory files;
+  for (const std::string size : {"e160", "e-170"}) {
+    const std::string scene = files.written(
+        "scene.yaml",
+        "time_step: 0.01\nhorizon: 0.1\nbodies: [{name: ball, shape: {sphere: {radius: 1}}, mass: "
+        "1, twist: {frame: world, linear: [3" +
+            size + ", 4" + size + ", 0]}}]\n");
+    const std::string study =
+        files.written("study.yaml",
+                      "runs: 1\nvary: {bodies.ball.mass: {uniform: [1, 2]}}\nrecord:\n  v: "
+                      "{at_end: ball.v}\n  fast: {first: {ball.v: {above: 6" +
+                          size + "}}}\n");
+    // without gnuplot, which cannot draw such numbers
+    const test::Outcome run =
+        sweep(scene + " " + study + " --out " + files.path(size), "PATH=/nonexistent");
+    ASSERT_EQ(run.exit_code, 0) << run.out;
+    const auto table = test::tableAt(files.path(size + "/runs.csv"));
+    const double speed = std::stod("5" + size);
+    EXPECT_NEAR(std::stod(table.at("v")[0]) / speed, 1, 1e-15) << size;
+    EXPECT_EQ(table.at("fast")[0], "") << size;
+  }
+}
+
 TEST(SweepSummary, SaysWhatTheRowsSay) {
   const TemporaryDirectory files;
   const std::string scene = files.written("scene.yaml", test::kPushedBall);
