@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -32,6 +33,12 @@ std::string refusedOption(const std::string& argument, const std::vector<option>
   }
   if (longer.empty()) return "unknown option " + argument;
   return "option --" + given + " is short for several, " + longer + ": write one in full";
+}
+
+void takeValue(const std::string& option, const char* text,
+               const OptionActions::mapped_type& action) {
+  if (*text == '\0') throw UsageError("--" + option + ": must not be empty");
+  action(text);
 }
 
 }  // namespace
@@ -105,6 +112,7 @@ std::optional<std::vector<std::string>> readCommandLine(int argc, char** argv,
   add("help", no_argument);
   known.push_back({nullptr, 0, nullptr, 0});
 
+  std::set<std::string> given;
   opterr = 0;  // the messages below are ours
   for (int code; (code = getopt_long(argc, argv, ":h", known.data(), nullptr)) != -1;) {
     if (code == ':') throw UsageError(std::string(argv[optind - 1]) + " needs a value");
@@ -112,14 +120,17 @@ std::optional<std::vector<std::string>> readCommandLine(int argc, char** argv,
     const std::string name =
         code == kHelp ? "help" : known[static_cast<std::size_t>(code - kFirstLong)].name;
     if (name == "help") return std::nullopt;
+    if (!given.insert(name).second) throw UsageError("--" + name + " is given twice");
     const auto flag = flags.find(name);
     if (flag != flags.end())
       *flag->second = true;
     else
-      actions.at(name)(optarg);
+      takeValue(name, optarg, actions.at(name));
   }
   if (count == kAtLeastOne ? optind == argc : optind + count != argc)
     throw UsageError(files + " needed, got " + std::to_string(argc - optind));
+  if (std::any_of(argv + optind, argv + argc, [](const char* name) { return *name == '\0'; }))
+    throw UsageError("an argument is empty: it must be a path");
   return std::vector<std::string>(argv + optind, argv + argc);
 }
 

@@ -238,6 +238,16 @@ TEST(Simulate, TakesShortOptionsOnlyWhereTheyAreShortForOne) {
             "simulate: unknown option -x (simulate --help)\n");
 }
 
+TEST(Simulate, TakesEachOptionOnceAndNothingEmpty) {
+  const std::string scene = scenePath("free_space.yaml");
+  EXPECT_EQ(simulate(scene + " --duration 1 --dur 2 2>&1").out,
+            "simulate: --duration is given twice (simulate --help)\n");
+  EXPECT_EQ(simulate(scene + " --csv '' 2>&1").out,
+            "simulate: --csv: must not be empty (simulate --help)\n");
+  EXPECT_EQ(simulate("'' 2>&1").out,
+            "simulate: an argument is empty: it must be a path (simulate --help)\n");
+}
+
 TEST(Simulate, ExitsWithThreeWhenTheSimulationDiverges) {
   const std::string scene = sceneFile(R"(
 time_step: 1.0

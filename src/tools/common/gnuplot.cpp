@@ -27,7 +27,6 @@ std::string gnuplotIsMissing(const std::string& there) {
 }
 
 std::string pictureDirectory(const std::string& what, const std::string& path) {
-  if (path.empty()) throw UsageError(what + ": must be a path, got an empty one");
   if (oneLine(path) != path)
     throw UsageError(what + ": must be a path without control characters, got '" + printable(path) +
                      "'");

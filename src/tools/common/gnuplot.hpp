@@ -12,7 +12,7 @@ bool hasGnuplot();
 std::string gnuplotIsMissing(const std::string& there);
 
 /// A directory for pictures, from the command line. Throws UsageError for a path that gnuplot does
-/// not take: it must not be empty, nor have line ends in it. what: such as "--out".
+/// not take: it must not have line ends in it. what: such as "--out".
 std::string pictureDirectory(const std::string& what, const std::string& path);
 
 /// The SVG that gnuplot draws by a script, whole. Throws std::runtime_error, which says the name of

@@ -255,9 +255,9 @@ TEST(SweepProgram, ExitsWithTwoForWrongUsage) {
     EXPECT_EQ(sweep(arguments).exit_code, 2) << arguments;
   EXPECT_EQ(sweep("a.yaml b.yaml", "SLURM_ARRAY_TASK_ID=3").exit_code, 2);
   EXPECT_EQ(sweep("a.yaml b.yaml --out \'\'").out,
-            "sweep: --out: must be a path, got an empty one (sweep --help)\n");
+            "sweep: --out: must not be empty (sweep --help)\n");
   EXPECT_EQ(sweep("merge \'\'").out,
-            "sweep: a directory to merge: must be a path, got an empty one (sweep --help)\n");
+            "sweep: an argument is empty: it must be a path (sweep --help)\n");
 }
 
 }  // namespace rigid_body_sim
