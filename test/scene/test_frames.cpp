@@ -5,6 +5,7 @@
 #include <rigid_body_sim/scene/resolve_wrench.hpp>
 
 #include "scene_texts.hpp"
+#include "support/refusal.hpp"
 
 namespace rigid_body_sim {
 namespace {
@@ -194,6 +195,13 @@ TEST_F(Frames, RefusesAWrenchThatIsFiniteInItsOwnFrameOnly) {
   wrench = wrenchIn("far");
   EXPECT_EQ(resolveWrench(wrench, world_.bodies, table).fault.substr(0, 26),
             "point must be finite, got ");
+}
+
+TEST_F(Frames, AreAttachedToThoseThatAreThere) {
+  FrameTable table = frames_;
+  EXPECT_EQ(test::refusalOf([&] { table.attach("far", "bax", Isometry3d::Identity()); }),
+            "frame 'far': there is no frame 'bax' that it could be attached to");
+  EXPECT_EQ(table.find("far"), nullptr);
 }
 
 TEST(SceneWrench, IsRefusedWithItsLineWhenItNamesWhatIsNotThere) {

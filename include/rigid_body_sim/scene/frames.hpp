@@ -27,7 +27,8 @@ class FrameTable {
   /// Removes the frames of a body, and those that are attached to them.
   void remove(const std::string& body);
 
-  /// Adds a frame F that moves with G, at pose X_GF. Throws std::out_of_range where there is no G.
+  /// Adds a frame F that moves with G, at pose X_GF. Throws std::invalid_argument where there is no
+  /// G.
   void attach(const std::string& name, const std::string& G, const Isometry3d& X_GF);
 
   /// Gives the frames of a body in its principal frame P, which was another; see MassInput.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include <rigid_body_sim/math/isometry.hpp>
 #include <rigid_body_sim/scene/frames.hpp>
@@ -35,7 +36,11 @@ void FrameTable::remove(const std::string& body) {
 }
 
 void FrameTable::attach(const std::string& name, const std::string& G, const Isometry3d& X_GF) {
-  const Entry& parent = frames_.at(G);
+  const auto entry = frames_.find(G);
+  if (entry == frames_.end())
+    throw std::invalid_argument("frame '" + name + "': there is no frame '" + G +
+                                "' that it could be attached to");
+  const Entry& parent = entry->second;
   put(name, {{parent.frame.body, parent.frame.X_PF * X_GF}, parent.body, parent.X_BF * X_GF});
 }
 
