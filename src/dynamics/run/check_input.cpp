@@ -137,7 +137,7 @@ void checkBodyState(const World& world, std::size_t index, const BodyState& s) {
   require(s.p_W.allFinite() && s.L_W.allFinite() && s.L_P.allFinite(), "body '", body,
           "': momenta must be finite");
   require(!world.bodies[index].pivoted || s.p_W.isZero(0), "body '", body,
-          "': p_W must be zero, for it is on a pivot and its state is its rotation alone");
+          "': its momentum must be zero, for it is on a pivot and its state is its rotation alone");
 }
 
 void checkCommand(const World& world, const ActuatorCommand& command) {

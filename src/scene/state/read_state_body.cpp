@@ -135,15 +135,20 @@ std::vector<ActuatorState> readActuatorStates(const Entry& value, const Body& bo
        },
        true},
   };
-  const std::string rule =
-      "must list the " + std::to_string(body.actuators.size()) + " actuators of the body in order";
-  const std::vector<Entry> items = value.items(rule);
-  if (items.size() != body.actuators.size()) value.failRule(rule);
+  const std::size_t count = body.actuators.size();
+  const std::vector<Entry> items = value.items("must be a list of actuators");
+  if (items.size() != count)
+    value.fail("actuators must be the " + std::to_string(count) + " of the body, got " +
+               std::to_string(items.size()));
   std::vector<ActuatorState> states;
   for (const Entry& item : items) {
     NamedActuator actuator{body};
     readMapping(item, keys, actuator);
-    if (actuator.index != states.size()) value.failRule(rule);
+    const std::string &expected = body.actuators[states.size()].name,
+                      &got = body.actuators[actuator.index].name;
+    if (got != expected)
+      item.fail("actuators must be in the order of the scene: '" + expected + "' here, got '" +
+                got + "'");
     states.push_back(actuator.state);
   }
   return states;

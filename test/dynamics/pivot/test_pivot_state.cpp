@@ -83,9 +83,10 @@ TEST(Pivot, RefusesAStateWithMomentum) {
     bench.simulation("auto", 1e-2);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& refused) {
-    EXPECT_EQ(std::string(refused.what()),
-              "body 'box': p_W must be zero, for it is on a pivot and its state is its rotation "
-              "alone");
+    EXPECT_EQ(
+        std::string(refused.what()),
+        "body 'box': its momentum must be zero, for it is on a pivot and its state is its rotation "
+        "alone");
   }
 }
 

@@ -210,12 +210,30 @@ TEST(Load, OfAStateThatIsRefusedChangesNothing) {
             "body 'box2': momenta must be finite");
   EXPECT_EQ(refusalOf([](State& s) { s.anchors[2].t = 7; }),
             "body 'box2': its anchor must not be of the future");
-  EXPECT_EQ(refusalOf([](State& s) { s.plans.pop_back(); }), "body 'box2': it must have one plan");
+  EXPECT_EQ(refusalOf([](State& s) { s.plans.pop_back(); }),
+            "body 'box2': it must be in one group, got 0");
   EXPECT_EQ(refusalOf([](State& s) { s.plans.back().laws.clear(); }),
             "law 3 (contact): one plan must have it, once, as long as it acts");
   EXPECT_EQ(refusalOf([](State& s) { s.plans[0].integrator = "dop854"; }).substr(0, 10),
             "integrator");
   EXPECT_EQ(refusalOf([](State& s) { s.near_laws = {9}; }), "no law has the index 9");
+  EXPECT_EQ(refusalOf([](State& s) {
+              s.near_laws = {1, 1};
+            }),
+            "near_laws must be numbers that ascend");
+  EXPECT_EQ(refusalOf([](State& s) { s.plans[0].substeps = 0; }),
+            "group 0: must have at least one substep");
+  EXPECT_EQ(refusalOf([](State& s) { s.plans[0].error = -1; }),
+            "group 0: error must be >= 0, got -1");
+  EXPECT_EQ(refusalOf([](State& s) { s.plans[0].bodies.clear(); }),
+            "group 0: must name its bodies, in the order of the scene");
+  EXPECT_EQ(refusalOf([](State& s) { s.plans[0].at_rest = true; }),
+            "body 'ball0': its momenta must be zero, as its group is at rest");
+  const auto endAt = [](double end) {
+    return [end](State& s) { s.schedules[0].wrenches[0].wrench.end = end; };
+  };
+  EXPECT_EQ(refusalOf(endAt(0.01)).substr(0, 69),
+            "wrench on body 'ball0': end must not be before its start, nor before ");
 }
 
 }  // namespace rigid_body_sim
