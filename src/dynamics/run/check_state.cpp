@@ -110,6 +110,7 @@ void checkPlan(const World& world, const State& state, const MotionPlan& plan,
           "must name its bodies, in the order of the scene");
   require(plan.substeps >= 1, who, "must have at least one substep");
   require(plan.error >= 0, who, "error must be >= 0", Got{plan.error});
+  require(!std::isnan(plan.tried_until), who, "tried_until must be a number");
   for (std::size_t body : plan.bodies) {
     checkBody(world, body);
     if (plan.at_rest) checkResting(world, state, body);

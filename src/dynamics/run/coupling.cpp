@@ -215,18 +215,23 @@ std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& law
   return groups;
 }
 
+unsigned needsAhead(const World& world, const CoupledBodies& group,
+                    const std::vector<WrenchSchedule>& schedules) {
+  unsigned needs = 0;
+  for (std::size_t law : group.waiting) needs |= world.laws[law]->needs();
+  for (std::size_t body : group.members)
+    if (const ActuatorSchedule* actuators = schedules[body].actuators())
+      needs |= needsOf(actuators->table());
+  return needs;
+}
+
 unsigned needsOf(const World& world, const CoupledBodies& group,
                  const std::vector<WrenchSchedule>& schedules) {
   unsigned needs = 0;
   for (std::size_t law : group.laws) needs |= world.laws[law]->needs();
   for (std::size_t body : group.members)
     if (!schedules[body].allHeld()) needs |= kCoupling;
-  if (needs == 0) return needs;
-  for (std::size_t law : group.waiting) needs |= world.laws[law]->needs();
-  for (std::size_t body : group.members)
-    if (const ActuatorSchedule* actuators = schedules[body].actuators())
-      needs |= needsOf(actuators->table());
-  return needs;
+  return needs == 0 ? needs : needs | needsAhead(world, group, schedules);
 }
 
 void requireSupport(const World& world) {

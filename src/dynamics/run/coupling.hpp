@@ -81,8 +81,13 @@ std::vector<CoupledBodies> coupledBodies(const World& world, const LawTable& law
                                          const std::vector<std::size_t>& bodies,
                                          const std::set<std::size_t>& near = {});
 
-/// What an integrator must support to advance the group (Need); that of contacts and tethers that
-/// do not act, and of actuators, counts where it has to be integrated anyway.
+/// What contacts and tethers that do not act, and actuators, will need of an integrator that
+/// follows the group (Need).
+unsigned needsAhead(const World& world, const CoupledBodies& group,
+                    const std::vector<WrenchSchedule>& schedules);
+
+/// What an integrator must support to advance the group (Need); needsAhead counts where it has to
+/// be integrated anyway.
 unsigned needsOf(const World& world, const CoupledBodies& group,
                  const std::vector<WrenchSchedule>& schedules);
 

@@ -154,7 +154,8 @@ MethodChoice MethodPlanner::asPlanned(const World& world, const CoupledBodies& g
   const unsigned needs = needsOf(world, group, schedules);
   if (!plan.integrator.empty()) {
     const Method& method = methodNamed(plan.integrator);
-    rigid_body_sim::requireSupport(method, needs, body);
+    // also where nothing acts yet, so that it would be solved
+    rigid_body_sim::requireSupport(method, needs | needsAhead(world, group, schedules), body);
     return bounded({&method, plan.substeps, plan.error, 1, plan.holds, plan.tried_until,
                     plan.cut_short, plan.by_estimates});
   }

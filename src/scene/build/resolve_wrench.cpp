@@ -92,7 +92,7 @@ ResolvedWrench resolveWrench(const WrenchDef& wrench, const std::vector<Body>& b
     applied.torque /= share;
   }
   // what is finite in its own frame may not be so in another
-  resolved.fault = finiteFault(applied.point, applied.force, applied.torque);
+  fault = finiteFault(applied.point, applied.force, applied.torque);
   if (fault.empty()) fault = wrenchSizeFault(applied);
   return resolved;
 }

@@ -11,6 +11,7 @@
 #include "support/law_benches.hpp"
 #include "support/motor_benches.hpp"
 #include "support/random_inputs.hpp"
+#include "support/refusal.hpp"
 #include "support/same_state.hpp"
 #include "support/worlds.hpp"
 
@@ -183,6 +184,24 @@ TEST(Load, LeavesTheStartToAReset) {
   loaded.load(middle);
   loaded.reset(true);
   test::expectSameState(loaded.state(), start.state());
+}
+
+// the box is in the air, where its motion is solved
+TEST(Load, RefusesAnIntegratorThatCannotFollowWhatIsToCome) {
+  Simulation sim = ballsAndBox().simulation("auto", kLoadStep);
+  sim.step();
+  State state = sim.state();
+  MotionPlan& box = state.plans.back();
+  ASSERT_TRUE(box.laws.empty() && !box.waiting_laws.empty() && box.integrator.empty());
+  for (const char* integrator : {"strang", "taylor"}) {
+    box.integrator = integrator;
+    const std::string refusal = test::refusalOf([&] { sim.load(state); });
+    EXPECT_NE(refusal.find(integrator), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("contact"), std::string::npos) << refusal;
+  }
+  box.integrator = "dop853";
+  sim.load(state);
+  for (int i = 0; i < 100; ++i) sim.step();
 }
 
 TEST(Load, OfAStateThatIsRefusedChangesNothing) {
