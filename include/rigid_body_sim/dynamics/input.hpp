@@ -15,8 +15,8 @@ namespace rigid_body_sim {
 
 /// A wrench is applied to a body that is not fixed.
 struct WrenchInput {
-  /// Takes the place of what acts on the body from this slot at its own start, and at once of what
-  /// is to come from it; empty: always adds.
+  /// What acts on the body from this slot, or is to come from it, ends where this wrench starts;
+  /// what would start then or later is dropped. Empty: always adds.
   std::string slot;
   PointWrench wrench;
 };

@@ -24,9 +24,9 @@ double onStep(double t, double h);
 /// a body with actuators also what these do: their events are events of the schedule.
 class WrenchSchedule {
  public:
-  /// Adds a wrench. In a named slot it takes over from the slot's former one at its own start;
-  /// what the slot held for later is dropped. An empty slot always adds. A start before `now` means
-  /// now, at the same duration; a wrench without duration is dropped.
+  /// Adds a wrench. In a named slot, what was there ends where it starts; what would start then or
+  /// later is dropped. An empty slot always adds. A start before `now` means now, at the same
+  /// duration; a wrench without duration is dropped.
   void put(const std::string& slot, PointWrench wrench, double now);
 
   void setActuators(ActuatorSchedule actuators);
