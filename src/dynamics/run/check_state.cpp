@@ -47,6 +47,7 @@ void checkActuatorState(const std::string& who, const Actuator& actuator, const 
           "command must be within the limits, ", shortest(actuator.least), " to ",
           shortest(actuator.greatest), Got{own.command});
   if (std::holds_alternative<Wheel>(actuator.kind)) return;  // limits are those of its torque
+  // a lag ends at the limit but for its last digits
   const double least = std::min(actuator.least, firstValueOf(actuator)),
                greatest = std::max(actuator.greatest, firstValueOf(actuator)),
                rounding = kLastDigits * std::abs(own.value);
@@ -137,7 +138,8 @@ void checkPlans(const World& world, const State& state) {
             "': it must be in one group, got ", static_cast<std::size_t>(times[i]));
   for (std::size_t law : state.near_laws)
     require(law < world.laws.size(), "no law has the index ", law);
-  require(std::is_sorted(state.near_laws.begin(), state.near_laws.end(), std::less_equal<>()),
+  require(std::adjacent_find(state.near_laws.begin(), state.near_laws.end(),
+                             std::greater_equal<>()) == state.near_laws.end(),
           "near_laws must be numbers that ascend");
 }
 
